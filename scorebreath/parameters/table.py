@@ -1,0 +1,253 @@
+"""The one table of parameters: name, unit, range, default, meaning, source, OSC address, MIDI controller.
+
+A low-level parameter whose default is None follows from the abstract ones (Eq. 1, `parameters.derive`) until it is
+set by hand; from then on it stays, whatever its parent does, until it is reset.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any, Literal, Self
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from scorebreath.errors import ParameterError
+
+OSC_ROOT = "/scorebreath"
+Level = Literal["abstract", "low", "natural", "output"]
+
+
+def _row(
+    default: float | str | bool | None,
+    meaning: str,
+    *,
+    unit: str = "",
+    low: float | None = None,
+    high: float | None = None,
+    level: Level,
+    source: str,
+    cc: int | None = None,
+) -> Any:  # pydantic's Field is typed as its default
+    """One row of the table."""
+    extra: dict[str, Any] = {"unit": unit, "level": level, "source": source, "midi_cc": cc}
+    return Field(default, ge=low, le=high, description=meaning, json_schema_extra=extra, allow_inf_nan=None)
+
+
+class Parameters(BaseModel):
+    """Every parameter of the model; immutable, checked, aware of what was set by hand (`model_fields_set`)."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+
+    # The abstract model: S1 3.2.1, B25-B29
+
+    abdomen_share: float = _row(
+        0.35, "Chest (0) or belly (1) breathing; the papers' ThoraxVsAbdomen", low=0, high=1,
+        level="abstract", source="B25, X11; default: physiology 2.3 (thorax 0.65 upright)", cc=20,
+    )  # fmt: skip
+    nose_share: float = _row(
+        0.35, "Breathing in through the mouth (0) or the nose (1); the papers' MouthVsNose", low=0, high=1,
+        level="abstract", source="B26, X11; default: physiology 0.3", cc=21,
+    )  # fmt: skip
+    capacity_lung: float = _row(
+        100.0, "Overall capacity of the lungs; 100 is what is predicted for the person", unit="%", low=10, high=200,
+        level="abstract", source="B27, X3, X13", cc=22,
+    )  # fmt: skip
+    amplitude_breathing_sound: float = _row(
+        1.0, "Overall loudness of the inspiration sounds, as a gain", low=0, high=4,
+        level="abstract", source="B28", cc=23,
+    )  # fmt: skip
+    opening_inspiration_channels: float = _row(
+        0.3, "How far nostrils and mouth open to breathe in", low=0, high=1,
+        level="abstract", source="B29; default: physiology 6 (6 mm between the lips)", cc=24,
+    )  # fmt: skip
+
+    # Low level, independent: B30
+
+    speaking_loudness: float = _row(
+        100.0, "Loudness of speaking; Eq. 1 divides by it", unit="%", low=10, high=400,
+        level="low", source="B30, X3", cc=25,
+    )  # fmt: skip
+    norm_syllables: float = _row(
+        18.0, "Syllables said on one breath at capacity = loudness", unit="syllables", low=2, high=45,
+        level="low", source="B37, X13; physiology 1.1", cc=26,
+    )  # fmt: skip
+    prosody_rate: float = _row(
+        1.0, "Speaking rate, relative to the voice's own", low=0.5, high=2,
+        level="low", source="B13, B30", cc=27,
+    )  # fmt: skip
+    prosody_pitch: float = _row(
+        1.0, "Mean pitch, relative to the voice's own", low=0.5, high=2,
+        level="low", source="speech synthesis; not in the papers", cc=28,
+    )  # fmt: skip
+    amplitude_neck_motion: float = _row(
+        0.6, "Chin raised by a full breath", unit="deg", low=0, high=10,
+        level="low", source="B8, B11, B30; default: physiology 6", cc=29,
+    )  # fmt: skip
+
+    # Low level, derived by Eq. 1 unless set: B31-B39
+
+    length_inspiration: float | None = _row(
+        None, "Length of an inspiration of the Bernardet models; default: capacity_lung / 100", unit="s",
+        low=0.05, high=5, level="low", source="B5, B38, X1; 5 s: B45", cc=30,
+    )  # fmt: skip
+    length_utterance: float | None = _row(
+        None, "Syllables to step through before a pause is looked for; default: sqrt(capacity_lung / "
+        "speaking_loudness) * norm_syllables", unit="syllables", low=1, high=100, level="low", source="B37, X2", cc=31,
+    )  # fmt: skip
+    urgency_limit: float | None = _row(
+        None, "How far a pause marker may be from that place; default: 2 * length_utterance", unit="characters",
+        low=0, high=1000, level="low", source="B39, X4", cc=85,
+    )  # fmt: skip
+    amplitude_sound_nose: float | None = _row(
+        None, "Gain of the nose's sound; default: nose_share * amplitude_breathing_sound", low=0, high=4,
+        level="low", source="B31", cc=86,
+    )  # fmt: skip
+    amplitude_sound_mouth: float | None = _row(
+        None, "Gain of the mouth's sound; default: (1 - nose_share) * amplitude_breathing_sound", low=0, high=4,
+        level="low", source="B32", cc=87,
+    )  # fmt: skip
+    amplitude_nostril_flare: float | None = _row(
+        None, "Flare of the nostrils; default: nose_share * opening_inspiration_channels", low=0, high=1,
+        level="low", source="B33", cc=88,
+    )  # fmt: skip
+    amplitude_mouth_open: float | None = _row(
+        None, "Opening of the mouth; default: (1 - nose_share) * opening_inspiration_channels", low=0, high=1,
+        level="low", source="B34", cc=89,
+    )  # fmt: skip
+    volume_abdomen: float | None = _row(
+        None, "Maximum of the abdomen's shape; default: abdomen_share * capacity_lung / 100", low=0, high=4,
+        level="low", source="B35", cc=90,
+    )  # fmt: skip
+    volume_thorax: float | None = _row(
+        None, "Maximum of the thorax's shape; default: (1 - abdomen_share) * capacity_lung / 100", low=0, high=4,
+        level="low", source="B36", cc=102,
+    )  # fmt: skip
+    prosody_loudness: float | None = _row(
+        None, "Loudness of the voice, 100 as it speaks by itself; default: speaking_loudness", unit="%",
+        low=1, high=400, level="low", source="B13, X12", cc=103,
+    )  # fmt: skip
+
+    # The natural model
+
+    inspiration_base: float = _row(
+        0.42, "Length of an inspiration before nothing", unit="s", low=0.1, high=2,
+        level="natural", source="physiology 1.3", cc=104,
+    )  # fmt: skip
+    inspiration_per_syllable: float = _row(
+        0.010, "What each coming syllable adds to it", unit="s/syllable", low=0, high=0.05,
+        level="natural", source="physiology 1.3 (Fuchs 2013; Whalen & Kinsella-Shaw 1997)", cc=105,
+    )  # fmt: skip
+    inspiration_spread: float = _row(
+        0.12, "Standard deviation of its length from breath to breath", unit="s", low=0, high=0.5,
+        level="natural", source="physiology 1.3", cc=106,
+    )  # fmt: skip
+    silence_before_breath: float = _row(
+        0.08, "Silence between the last phone and the breath within a sentence", unit="s", low=0, high=1,
+        level="natural", source="physiology 1.4", cc=107,
+    )  # fmt: skip
+    silence_after_sentence: float = _row(
+        0.18, "The same after a sentence", unit="s", low=0, high=2,
+        level="natural", source="physiology 1.4", cc=108,
+    )  # fmt: skip
+    silence_after_paragraph: float = _row(
+        0.45, "The same after a paragraph or a stanza", unit="s", low=0, high=4,
+        level="natural", source="design: longer than any sentence's; physiology 1.4 (total pause up to 1.8 s)", cc=109,
+    )  # fmt: skip
+    silence_after_breath: float = _row(
+        0.06, "Silence between the breath and the first phone", unit="s", low=0, high=1,
+        level="natural", source="physiology 1.4", cc=110,
+    )  # fmt: skip
+    volume_per_syllable: float = _row(
+        0.009, "Volume spent on a syllable", unit="fraction of VC", low=0.001, high=0.03,
+        level="natural", source="physiology 2.2", cc=111,
+    )  # fmt: skip
+    resting_volume: float = _row(
+        0.38, "Volume above residual volume at rest, upright", unit="fraction of VC", low=0.1, high=0.6,
+        level="natural", source="physiology 2.2", cc=112,
+    )  # fmt: skip
+    vital_capacity: float = _row(
+        5.1, "Vital capacity, for the airflow in litres", unit="L", low=0.5, high=9,
+        level="natural", source="GLI Global 2022: man of 30 years, 178 cm (physiology 2.1)", cc=113,
+    )  # fmt: skip
+
+    # Output
+
+    breath_level: float = _row(
+        -24.0, "Level of a breath at the defaults, relative to the voice's reference", unit="dB", low=-60, high=0,
+        level="output", source="physiology 3.2", cc=114,
+    )  # fmt: skip
+    motion_gain: float = _row(
+        1.0, "Scales thorax, abdomen, shoulder and neck; 1 is physiological", low=0, high=4,
+        level="output", source="design; B62: stylised motion reads as more casual", cc=115,
+    )  # fmt: skip
+    breath_sound: bool = _row(
+        True, "Whether breaths are heard; times stay as they are", level="output", source="E1, B62", cc=116
+    )
+    breath_motion: bool = _row(
+        True, "Whether breaths are seen; times stay as they are", level="output", source="E1, B62", cc=117
+    )
+    period_marker: Literal["bare", "sentence"] = _row(
+        "bare", "What the Bernardet models take as the marker '.': every full stop, or the end of a sentence",
+        level="low", source="B19, X10",
+    )  # fmt: skip
+
+    def __init__(self, **values: Any) -> None:
+        """Check names, types and ranges.
+
+        Raises:
+            ParameterError: Names the value, its name and its range.
+        """
+        try:
+            super().__init__(**values)
+        except ValidationError as error:
+            first = error.errors()[0]
+            raise ParameterError(_problem(str(first["loc"][0]), first.get("input"))) from None
+
+    def with_values(self, values: Mapping[str, Any]) -> Self:
+        """A copy with some parameters set by hand; None resets one.
+
+        Raises:
+            ParameterError: A name or value is wrong.
+        """
+        kept = {name: getattr(self, name) for name in self.model_fields_set if name not in values}
+        return type(self)(**kept, **{name: value for name, value in values.items() if value is not None})
+
+    def set_by_hand(self) -> dict[str, Any]:
+        """Name and value of every parameter that was set, sorted by name."""
+        return {name: getattr(self, name) for name in sorted(self.model_fields_set)}
+
+
+def osc_address(name: str) -> str:
+    """OSC address of a parameter.
+
+    >>> osc_address("nose_share")
+    '/scorebreath/nose_share'
+    """
+    return f"{OSC_ROOT}/{name}"
+
+
+def bounds(name: str) -> tuple[float, float] | None:
+    """Lowest and highest value of a parameter, None for one that is no number.
+
+    >>> bounds("nose_share")
+    (0.0, 1.0)
+    """
+    low = high = math.nan
+    for constraint in Parameters.model_fields[name].metadata:
+        low = float(getattr(constraint, "ge", low))
+        high = float(getattr(constraint, "le", high))
+    return None if math.isnan(low) or math.isnan(high) else (low, high)
+
+
+def _problem(name: str, value: object) -> str:
+    if name not in Parameters.model_fields:
+        import difflib
+
+        close = difflib.get_close_matches(name, Parameters.model_fields, 1)
+        return f"no parameter is called {name!r}" + (f"; did you mean {close[0]!r}?" if close else "")
+    limits = bounds(name)
+    if limits:
+        return f"{name}={value!r} must be a number in [{limits[0]:g}, {limits[1]:g}]"
+    choices = "'bare' or 'sentence'" if name == "period_marker" else "true or false"
+    return f"{name}={value!r} must be {choices}"

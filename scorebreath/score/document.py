@@ -1,0 +1,154 @@
+"""The Score: one text, the bodies that speak it, and everything they do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Literal, TypeVar
+
+from pydantic import ConfigDict
+
+from scorebreath.errors import ScoreError
+from scorebreath.score.events import Event, Extension, Part, SentenceType, Utterance
+from scorebreath.score.values import Gridded, Number, Whole
+
+SCHEMA = "scorebreath.score/1"
+E = TypeVar("E", bound=Event)
+Site = Literal["text end", "paragraph", "sentence", "semicolon", "comma", "line", "marker", "clause", "phrase", "word"]
+"""Kinds of boundary, strongest first."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VoiceInfo(Part):
+    """The voice a body speaks with."""
+
+    engine: str
+    voice: str
+    version: str
+    licence: str
+    sample_rate: Whole
+    """Hz"""
+    reference_db: Number
+    """active RMS of the calibration sentence, dB re full scale"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Person(Part):
+    """The body's lungs."""
+
+    vital_capacity: Number
+    """L"""
+    resting_volume: Number
+    """fraction of VC above residual volume at rest"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Body(Part):
+    """Someone who breathes and speaks."""
+
+    id: str
+    voice: VoiceInfo
+    person: Person
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+    """what the user set: provenance, read by nothing"""
+    x: Extension = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MediaInfo(Part):
+    """Where samples lie, relative to the Score's file."""
+
+    path: str
+    frames: Whole
+    sample_rate: Whole
+    """Hz"""
+    kind: Literal["speech", "breath"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Candidate(Part):
+    """A place where the group might have ended."""
+
+    site: Site
+    position: Whole
+    """code points of the text: the group would end before it"""
+    cost: Number
+    """what the planner minimises: a distance in characters (the papers), a cost (`natural`)"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CutReason(Part):
+    """Where a group was cut, and why there."""
+
+    site: Site
+    rule: str
+    candidates: tuple[Candidate, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Group(Part):
+    """A breath group: what is said on one breath."""
+
+    id: str
+    body: str
+    source: tuple[Whole, Whole]
+    """code points of the text"""
+    text: str
+    """as written"""
+    syllables: Whole
+    sentence_type: SentenceType
+    cut: CutReason
+    x: Extension = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Score(Gridded):
+    """Text become timed events: everything anyone hears or sees comes from this.
+
+    Raises:
+        ScoreError: An id is used twice, or an event names a body, group or media that is not there.
+    """
+
+    __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
+
+    made_by: str
+    seed: Whole
+    language: str
+    model: str
+    text: str
+    duration: Number
+    """s"""
+    bodies: tuple[Body, ...]
+    media: Mapping[str, MediaInfo] = field(default_factory=dict)
+    """by the SHA-256 of the float32 samples"""
+    groups: tuple[Group, ...] = ()
+    events: tuple[Event, ...] = ()
+    x: Extension = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        """Check that everything named exists."""
+        super(Score, self).__post_init__()  # zero-argument super() breaks under dataclass slots
+        _unique("body", [body.id for body in self.bodies])
+        _unique("group", [group.id for group in self.groups])
+        _unique("event", [event.id for event in self.events])
+        bodies = {body.id for body in self.bodies}
+        groups = {group.id for group in self.groups}
+        for event in self.events:
+            if event.body not in bodies:
+                raise ScoreError(f"event {event.id!r} names the body {event.body!r}, which the score does not have")
+            if event.group is not None and event.group not in groups:
+                raise ScoreError(f"event {event.id!r} names the group {event.group!r}, which the score does not have")
+            if event.onset < 0 or event.duration < 0:
+                raise ScoreError(f"event {event.id!r}: onset={event.onset} and duration={event.duration} must be >= 0")
+            if isinstance(event, Utterance) and event.media not in self.media:
+                raise ScoreError(f"event {event.id!r} names media {event.media[:12]!r}, which the score does not list")
+
+    def of(self, kind: type[E], body: str | None = None) -> Iterator[E]:
+        """Events of one type, of one body or of all, in the Score's order."""
+        return (e for e in self.events if isinstance(e, kind) and (body is None or e.body == body))
+
+
+def _unique(what: str, names: list[str]) -> None:
+    if len(set(names)) != len(names):
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ScoreError(f"{what} id {twice!r} is used twice")

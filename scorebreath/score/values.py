@@ -1,0 +1,68 @@
+"""What every number in a Score obeys: finite, on the 1e-6 grid, never -0.0, within 1e9."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from functools import cache
+from typing import Annotated, Any, get_type_hints
+
+import numpy as np
+from pydantic import Strict
+
+from scorebreath.errors import ScoreError
+from scorebreath.units import snap, snap_array
+
+Number = Annotated[float, Strict()]
+"""A number on the grid."""
+Whole = Annotated[int, Strict()]
+"""An integer."""
+Flag = Annotated[bool, Strict()]
+"""True or false, nothing that merely looks like it."""
+
+LARGEST = 1e9
+
+
+class Gridded:
+    """Base of everything in a Score: refuses numbers that a save and a load would change."""
+
+    __slots__ = ()
+
+    def __post_init__(self) -> None:
+        """Check every number and every array of numbers.
+
+        Raises:
+            ScoreError: A number is not finite, off the grid, -0.0, or beyond 1e9.
+        """
+        for name in _numbers(type(self)):
+            value = getattr(self, name)
+            if value is not None and not _on_grid(value):
+                raise ScoreError(f"{type(self).__name__}.{name}={value!r} must be a finite multiple of 1e-6 (not -0.0)")
+        for name in _series(type(self)):
+            values = np.asarray(getattr(self, name), dtype=np.float64)
+            if values.size and not (
+                np.all(np.abs(values) <= LARGEST)
+                and np.array_equal(snap_array(values), values)
+                and not np.any(np.signbit(values) & (values == 0))
+            ):
+                raise ScoreError(f"{type(self).__name__}.{name} must hold finite multiples of 1e-6 (no -0.0)")
+
+
+def _on_grid(value: float) -> bool:
+    return abs(value) <= LARGEST and snap(value) == value and not (value == 0 and math.copysign(1.0, value) < 0)
+
+
+@cache
+def _hints(kind: type) -> dict[str, Any]:
+    return get_type_hints(kind, include_extras=True)
+
+
+@cache
+def _numbers(kind: type) -> tuple[str, ...]:
+    wanted = (Number, Number | None)
+    return tuple(f.name for f in dataclasses.fields(kind) if _hints(kind)[f.name] in wanted)
+
+
+@cache
+def _series(kind: type) -> tuple[str, ...]:
+    return tuple(f.name for f in dataclasses.fields(kind) if _hints(kind)[f.name] == tuple[Number, ...])

@@ -1,0 +1,99 @@
+"""What a voice is asked for, what it gives, and what a voice is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scorebreath.score.events import Closing, Level, Phone, Pitch, Word
+from scorebreath.spans import SpokenText
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VoiceDetails:
+    """Where a voice comes from and what it promises."""
+
+    engine: str
+    """e.g. `espeak-ng`"""
+    voice: str
+    """the name it is asked for by, e.g. `espeak:en-us+f3`"""
+    version: str
+    licence: str
+    """SPDX, or a sentence"""
+    provenance: str
+    """what it was made or trained from, for those who must know"""
+    languages: tuple[str, ...]
+    """BCP 47"""
+    sample_rate: int
+    """Hz"""
+    deterministic: bool
+    """equal requests give equal bytes, on one machine with one set of versions"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SpeechRequest:
+    """One breath group to be spoken."""
+
+    text: SpokenText
+    """what to say; `source` spans are places in the Score's text"""
+    closing: Closing
+    """`continuing` asks for continuation intonation: the group does not end its sentence"""
+    rate: float = 1.0
+    """of the voice's own, 0.5..2"""
+    pitch: float = 1.0
+    """of the voice's own mean, 0.5..2"""
+    before: str = ""
+    """what was said just before, for voices that want it"""
+    after: str = ""
+    """what will be said next"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Speech:
+    """One breath group, spoken and measured. The sound begins with its first phone and ends with its last.
+
+    Times are seconds on the 1e-6 grid; phones are contiguous from 0 to the duration.
+    """
+
+    samples: NDArray[np.float32]
+    """(n,), within -1..1"""
+    sample_rate: int
+    """Hz"""
+    words: tuple[Word, ...]
+    phones: tuple[Phone, ...]
+    pitch: Pitch
+    level: Level
+
+    @property
+    def duration(self) -> float:
+        """Seconds."""
+        return len(self.samples) / self.sample_rate
+
+
+class Voice(Protocol):
+    """Someone who can speak. Made by `speech.voices.open_voice`; close it, or use it as a context manager."""
+
+    @property
+    def details(self) -> VoiceDetails:
+        """What it is."""
+
+    @property
+    def reference_db(self) -> float:
+        """Active RMS of one calibration sentence at the voice's own rate and pitch, dB re full scale."""
+
+    def speak(self, request: SpeechRequest) -> Speech:
+        """Speak one breath group.
+
+        Raises:
+            VoiceError: It crashed twice, or missed its deadline twice.
+        """
+
+    def syllables(self, words: Sequence[str]) -> Sequence[int]:
+        """Syllables of each bare word, at least 1 for one with a letter in it: a `SyllableCounter`."""
+
+    def close(self) -> None:
+        """End what runs in the background."""
