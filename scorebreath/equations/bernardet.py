@@ -127,7 +127,7 @@ def slope_inspiration(volume_lung: float, length_inspiration: float) -> float:
 def slope_expiration(volume_lung: float, length_speech: float) -> float:
     r"""Slope of the driver while speaking (S1 3.2, B12): :math:`-volume_{lung} / length_{speech}`, 1/s.
 
-    >>> slope_expiration(0.32, 3.2)
-    -0.1
+    >>> slope_expiration(0.32, 1.28)
+    -0.25
     """
     return -volume_lung / length_speech
