@@ -39,7 +39,7 @@ def decibels(ratio: float) -> float:
 
 
 def amplitude(db: float) -> float:
-    """dB to amplitude ratio.
+    """Amplitude ratio of a level in dB.
 
     >>> round(amplitude(-6.0206), 6)
     0.5

@@ -39,9 +39,7 @@ def derive(p: Parameters) -> LowLevel:
     def chosen(by_hand: float | None, derived: float) -> float:
         return derived if by_hand is None else by_hand
 
-    utterance = chosen(
-        p.length_utterance, eq.length_utterance(p.capacity_lung, p.speaking_loudness, p.norm_syllables)
-    )
+    utterance = chosen(p.length_utterance, eq.length_utterance(p.capacity_lung, p.speaking_loudness, p.norm_syllables))
     sound, opening = p.amplitude_breathing_sound, p.opening_inspiration_channels
     return LowLevel(
         amplitude_sound_nose=chosen(p.amplitude_sound_nose, eq.amplitude_sound_nose(p.nose_share, sound)),

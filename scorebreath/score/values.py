@@ -36,10 +36,18 @@ class Gridded:
         """
         for name in _numbers(type(self)):
             value = getattr(self, name)
-            if value is not None and not _on_grid(value):
+            if value is None:
+                continue
+            if type(value) is not float:  # an int is written without a point, and would come back as a float
+                value = float(value)
+                object.__setattr__(self, name, value)
+            if not _on_grid(value):
                 raise ScoreError(f"{type(self).__name__}.{name}={value!r} must be a finite multiple of 1e-6 (not -0.0)")
         for name in _series(type(self)):
-            values = np.asarray(getattr(self, name), dtype=np.float64)
+            given = getattr(self, name)
+            if any(type(value) is not float for value in given):
+                object.__setattr__(self, name, tuple(float(value) for value in given))
+            values = np.asarray(given, dtype=np.float64)
             if values.size and not (
                 np.all(np.abs(values) <= LARGEST)
                 and np.array_equal(snap_array(values), values)
@@ -53,16 +61,16 @@ def _on_grid(value: float) -> bool:
 
 
 @cache
-def _hints(kind: type) -> dict[str, Any]:
+def _hints(kind: Any) -> dict[str, Any]:
     return get_type_hints(kind, include_extras=True)
 
 
 @cache
-def _numbers(kind: type) -> tuple[str, ...]:
+def _numbers(kind: Any) -> tuple[str, ...]:
     wanted = (Number, Number | None)
     return tuple(f.name for f in dataclasses.fields(kind) if _hints(kind)[f.name] in wanted)
 
 
 @cache
-def _series(kind: type) -> tuple[str, ...]:
+def _series(kind: Any) -> tuple[str, ...]:
     return tuple(f.name for f in dataclasses.fields(kind) if _hints(kind)[f.name] == tuple[Number, ...])

@@ -1,0 +1,142 @@
+"""Takes (`scorebreath.take/1`): a folder that grows while something is performed, and is a Score afterwards.
+
+`take.jsonl` has a header line, then one line for each group and event as it happens, each flushed before anything else
+happens, so what was performed survives the performer. A torn last line is dropped and said.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+from scorebreath.errors import EnvironmentFailure, ScoreError
+from scorebreath.media.store import FolderStore
+from scorebreath.score.codec import (
+    check_schema, decode_event, dump_event, dumps, encode, loads, parse_json,
+)  # fmt: skip
+from scorebreath.score.document import SCHEMA, Group, MediaInfo, Score
+from scorebreath.score.events import Event, Warning
+from scorebreath.units import snap
+
+TAKE_SCHEMA = "scorebreath.take/1"
+TAKE_FILE = "take.jsonl"
+
+
+class TakeWriter:
+    """Writes a take line by line; use it as a context manager.
+
+    Args:
+        folder: Where the take goes; must not hold one already.
+        score: A Score without groups and events: everything known at the start.
+
+    Raises:
+        EnvironmentFailure: The folder holds a take, or the disk refuses.
+    """
+
+    def __init__(self, folder: Path, score: Score) -> None:
+        """Write the header."""
+        self.media = FolderStore(folder)
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            self._stream = (folder / TAKE_FILE).open("xb")
+        except OSError as error:
+            raise EnvironmentFailure(f"{folder / TAKE_FILE}: cannot be written: {error.strerror}") from None
+        header = json.loads(dumps(dataclasses.replace(score, groups=(), events=(), media={})))
+        header["schema"] = TAKE_SCHEMA
+        self._write(header)
+
+    def text(self, piece: str) -> None:
+        """More text arrived: it goes on where the text ended."""
+        self._write({"text": piece})
+
+    def group(self, group: Group) -> None:
+        """A breath group was planned."""
+        self._write({"group": encode(group)})
+
+    def sound(self, name: str, info: MediaInfo) -> None:
+        """Samples were put into the take's media."""
+        self._write({"media": {name: dataclasses.asdict(info)}})
+
+    def event(self, event: Event) -> None:
+        """Something happens."""
+        self._line(dump_event(event))
+
+    def close(self) -> None:
+        """Close the file."""
+        self._stream.close()
+
+    def __enter__(self) -> Self:
+        """The writer."""
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
+        """Close the file."""
+        self.close()
+
+    def _write(self, value: dict[str, Any]) -> None:
+        self._line(json.dumps(value, sort_keys=True, ensure_ascii=False, separators=(",", ":"), allow_nan=False))
+
+    def _line(self, line: str) -> None:
+        try:
+            self._stream.write(line.encode() + b"\n")
+            self._stream.flush()
+            os.fsync(self._stream.fileno())
+        except OSError as error:
+            raise EnvironmentFailure(f"{self._stream.name}: cannot be written: {error.strerror}") from None
+
+
+def read_take(folder: Path) -> Score:
+    """The Score a take has become.
+
+    A torn last line is dropped; a `warning` event with code `torn-take` says so.
+
+    Raises:
+        ScoreError: The take is missing, or a line other than the last is broken.
+    """
+    path = folder / TAKE_FILE
+    try:
+        lines = path.read_bytes().split(b"\n")
+    except OSError as error:
+        raise ScoreError(f"{path}: cannot be read: {error.strerror}") from None
+    torn = lines.pop()  # what follows the last newline: nothing, unless the writer was cut off
+    if not lines:
+        raise ScoreError(f"{path}:1: a take begins with a header line")
+    header = parse_json(lines[0], f"{path}:1")
+    if not isinstance(header, dict):
+        raise ScoreError(f"{path}:1: expected an object")
+    check_schema(header.get("schema"), TAKE_SCHEMA, f"{path}:1")
+    text, media = [str(header.get("text", ""))], {}
+    groups: list[Any] = []
+    events: list[Event] = []
+    for number, line in enumerate(lines[1:], 2):
+        item = parse_json(line, f"{path}:{number}")
+        if not isinstance(item, dict):
+            raise ScoreError(f"{path}:{number}: expected an object, found {type(item).__name__}")
+        if "type" in item:
+            events.append(decode_event(item, "event", f"{path}:{number}"))
+        elif isinstance(item.get("text"), str):
+            text.append(item["text"])
+        elif isinstance(item.get("media"), dict):
+            media.update(item["media"])
+        elif "group" in item:
+            groups.append(item["group"])
+        else:
+            raise ScoreError(f"{path}:{number}: expected text, media, a group or an event")
+    plain = {**header, "schema": SCHEMA, "text": "".join(text), "media": media, "groups": groups}
+    plain["duration"] = max([float(header.get("duration", 0.0)), *(snap(event.end) for event in events)])
+    score = loads(json.dumps(plain).encode(), str(path))
+    if torn:
+        events.append(_torn(score, len(torn)))
+    return dataclasses.replace(score, events=tuple(events))
+
+
+def _torn(score: Score, size: int) -> Warning:
+    said = f"the last line was cut off ({size} bytes) and is dropped"
+    return Warning(
+        id="torn-take", body=score.bodies[0].id, onset=score.duration, duration=0.0, rule="take",
+        code="torn-take", text=said,
+    )  # fmt: skip
