@@ -10,7 +10,6 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Callable, Mapping
-from functools import cache
 from typing import Any, NoReturn, TypeVar
 
 from pydantic import TypeAdapter, ValidationError
@@ -18,6 +17,7 @@ from pydantic import TypeAdapter, ValidationError
 from scorebreath.errors import ScoreError
 from scorebreath.score.document import SCHEMA, Body, Group, Score
 from scorebreath.score.events import EVENTS, Event, Unknown
+from scorebreath.score.values import per_class
 
 LARGEST_FILE = 1 << 30
 """Bytes of JSON accepted."""
@@ -216,7 +216,7 @@ def _named(file: str) -> str:
     return f"{file}: " if file else ""
 
 
-@cache
+@per_class
 def _adapter(kind: Any) -> TypeAdapter[Any]:
     return TypeAdapter(kind)
 
@@ -259,7 +259,7 @@ def _fields(item: Any) -> dict[str, Json]:
 _REQUIRED = object()
 
 
-@cache
+@per_class
 def _defaults(kind: Any) -> tuple[tuple[str, Json], ...]:
     """Field names with the value that says nothing: a default, or an empty collection's."""
     found: list[tuple[str, Json]] = []

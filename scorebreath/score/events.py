@@ -393,7 +393,7 @@ class Cut(Event):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Warning(Event):  # noqa: A001 - the Score's own term
+class WarningEvent(Event):
     """Something the reader of the Score should know."""
 
     type: ClassVar[str] = "warning"
@@ -446,7 +446,7 @@ EVENTS: Mapping[str, tuple[type[Event], Reach]] = MappingProxyType(
             (Parameter, 0.0, 0.0),
             (Command, 0.0, 0.0),
             (Cut, 0.0, 0.0),
-            (Warning, 0.0, 0.0),
+            (WarningEvent, 0.0, 0.0),
             (Marker, 0.0, 0.0),
         )
     }

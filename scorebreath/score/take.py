@@ -16,10 +16,16 @@ from typing import Any, Self
 from scorebreath.errors import EnvironmentFailure, ScoreError
 from scorebreath.media.store import FolderStore
 from scorebreath.score.codec import (
-    check_schema, decode_event, dump_event, dumps, encode, loads, parse_json,
-)  # fmt: skip
+    check_schema,
+    decode_event,
+    dump_event,
+    dumps,
+    encode,
+    loads,
+    parse_json,
+)
 from scorebreath.score.document import SCHEMA, Group, MediaInfo, Score
-from scorebreath.score.events import Event, Warning
+from scorebreath.score.events import Event, WarningEvent
 from scorebreath.units import snap
 
 TAKE_SCHEMA = "scorebreath.take/1"
@@ -134,9 +140,9 @@ def read_take(folder: Path) -> Score:
     return dataclasses.replace(score, events=tuple(events))
 
 
-def _torn(score: Score, size: int) -> Warning:
+def _torn(score: Score, size: int) -> WarningEvent:
     said = f"the last line was cut off ({size} bytes) and is dropped"
-    return Warning(
+    return WarningEvent(
         id="torn-take", body=score.bodies[0].id, onset=score.duration, duration=0.0, rule="take",
         code="torn-take", text=said,
     )  # fmt: skip

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Callable
 from functools import cache
-from typing import Annotated, Any, get_type_hints
+from typing import Annotated, Any, TypeVar, get_type_hints
 
 import numpy as np
 from pydantic import Strict
@@ -21,6 +22,12 @@ Flag = Annotated[bool, Strict()]
 """True or false, nothing that merely looks like it."""
 
 LARGEST = 1e9
+T = TypeVar("T")
+
+
+def per_class(make: Callable[[Any], T]) -> Callable[[Any], T]:
+    """Work out once for each class what depends on the class alone."""
+    return cache(make)
 
 
 class Gridded:
@@ -60,17 +67,17 @@ def _on_grid(value: float) -> bool:
     return abs(value) <= LARGEST and snap(value) == value and not (value == 0 and math.copysign(1.0, value) < 0)
 
 
-@cache
+@per_class
 def _hints(kind: Any) -> dict[str, Any]:
     return get_type_hints(kind, include_extras=True)
 
 
-@cache
+@per_class
 def _numbers(kind: Any) -> tuple[str, ...]:
     wanted = (Number, Number | None)
     return tuple(f.name for f in dataclasses.fields(kind) if _hints(kind)[f.name] in wanted)
 
 
-@cache
+@per_class
 def _series(kind: Any) -> tuple[str, ...]:
     return tuple(f.name for f in dataclasses.fields(kind) if _hints(kind)[f.name] == tuple[Number, ...])
