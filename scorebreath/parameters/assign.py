@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any
 
 from scorebreath.errors import ParameterError
@@ -34,8 +35,6 @@ def parse_assignment(text: str) -> tuple[str, Any]:
         if Parameters.model_fields[name].annotation is bool:
             value = _FLAGS.get(given.lower(), given)
         else:
-            try:
+            with suppress(ValueError):  # what is no number is refused below, with the range
                 value = float(given)
-            except ValueError:
-                pass
     return name, getattr(Parameters(**{name: value}), name)

@@ -35,7 +35,7 @@ class Preset:
 
 def names() -> tuple[str, ...]:
     """Presets that come with the package, sorted."""
-    files = resources.files("scorebreath.parameters").joinpath("presets").iterdir()
+    files = resources.files("scorebreath.parameters").joinpath("library").iterdir()
     return tuple(sorted(file.name.removesuffix(".toml") for file in files if file.name.endswith(".toml")))
 
 
@@ -61,7 +61,7 @@ def load_preset(name: str) -> Preset:
         raise ParameterError(
             f"no preset is called {name!r}{hint} (there are {', '.join(names())}, or a path to a .toml)"
         )
-    file = resources.files("scorebreath.parameters").joinpath("presets", f"{name}.toml")
+    file = resources.files("scorebreath.parameters").joinpath("library").joinpath(f"{name}.toml")
     return _read(file.read_bytes(), name, name)
 
 

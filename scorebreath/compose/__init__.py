@@ -1,0 +1,1 @@
+"""Groups and utterances become placed events, step by step; one file a breathing model."""

@@ -1,0 +1,1 @@
+"""Curves: channels as closed forms of events."""

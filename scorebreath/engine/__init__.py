@@ -1,0 +1,1 @@
+"""Score to sound: onsets, and the engines that play them."""

@@ -1,0 +1,1 @@
+"""Parameters: one typed table, presets, and the low level that Eq. 1 derives."""

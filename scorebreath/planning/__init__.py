@@ -1,0 +1,1 @@
+"""Breath groups: one file a planner; every cut carries its reason."""

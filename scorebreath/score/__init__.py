@@ -1,0 +1,1 @@
+"""The Score: events, document, codecs, takes."""

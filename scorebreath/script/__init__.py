@@ -1,0 +1,1 @@
+"""Text in, Script out: words, edges, sentences, spoken forms."""

@@ -1,0 +1,1 @@
+"""Arrays of samples: level, pitch, resampling, limiting."""

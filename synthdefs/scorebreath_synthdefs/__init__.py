@@ -1,0 +1,1 @@
+"""The SynthDefs of scorebreath, and their catalogue."""
