@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import dataclasses
 import io
 import re
 import tokenize
 from pathlib import Path
 
 import pytest
+
+from scorebreath.score.document import Score
+from scorebreath.score.events import EVENTS, Event
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = (ROOT / "docs" / "sources.md").read_text(encoding="utf-8")
@@ -84,3 +88,19 @@ def test_every_name_said_to_be_in_a_file_is_there(document: Path) -> None:
     for *names, path in pairs:
         for name in filter(None, names):
             assert re.search(rf"\b{name}\b", (ROOT / path).read_text(encoding="utf-8")), f"{name} is not in {path}"
+
+
+def test_the_score_document_lists_every_event_and_its_fields() -> None:
+    text = (ROOT / "docs" / "score.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)` \| [^|]+ \| ([^|]+) \|$", text, re.MULTILINE)
+    told = {kind: set(re.findall(r"`(\w+)`", own)) for kind, own in rows}
+    common = {field.name for field in dataclasses.fields(Event)}
+    assert told == {
+        name: {field.name for field in dataclasses.fields(kind)} - common for name, (kind, _) in EVENTS.items()
+    }
+
+
+def test_the_score_document_lists_every_key() -> None:
+    text = (ROOT / "docs" / "score.md").read_text(encoding="utf-8")
+    rows = set(re.findall(r"^\| `(\w+)` \| [^|]+ \|$", text, re.MULTILINE))
+    assert rows == {field.name for field in dataclasses.fields(Score)} - {"x"} | {"schema"}
