@@ -1,1 +1,1 @@
-"""Curves: channels as closed forms of events."""
+"""Lungs, chest, head, nostrils, mouth and levels as functions of time: closed forms of a Score's events."""

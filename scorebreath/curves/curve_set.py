@@ -1,0 +1,97 @@
+"""The curves of one body: any channels, at any times."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from scorebreath.curves.channels import CHANNELS, Channel
+from scorebreath.curves.sources import Moments, Sources, sources
+from scorebreath.curves.tracks import Array
+from scorebreath.errors import InputError
+from scorebreath.score.document import Body, Score
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CurveSet:
+    """Functions of time, ready to be sampled; immutable, made by `curves`."""
+
+    body: str
+    """whose curves they are"""
+    duration: float
+    """s, of the Score"""
+    table: tuple[Channel, ...]
+    """what each channel means"""
+    sources: Sources
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """Names, in the order of the columns."""
+        return tuple(channel.name for channel in self.table)
+
+    def sample(self, times: ArrayLike, names: Sequence[str] | None = None) -> Array:
+        """Values at any times: any rate, any window, any order; each depends on its own time alone.
+
+        Args:
+            times: Seconds from the Score's start, (n,); before 0 and after the end is allowed.
+            names: Channels wanted, in this order; all when left out.
+
+        Returns:
+            (n, channels) float64, in the units of `table`. Costs O(n log events).
+
+        Raises:
+            InputError: A name is no channel, or a time is not a finite number.
+        """
+        at = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        if at.ndim != 1 or not np.all(np.isfinite(at)):
+            raise InputError("times must be finite numbers in one dimension")
+        moments = Moments(self.sources, np.ascontiguousarray(at))
+        wanted = self.table if names is None else tuple(self.channel(name) for name in names)
+        values = np.empty((len(at), len(wanted)))
+        for column, channel in enumerate(wanted):
+            values[:, column] = channel.at(moments)
+        return values
+
+    def channel(self, name: str) -> Channel:
+        """The table's row of that name.
+
+        Raises:
+            InputError: There is none.
+        """
+        for channel in self.table:
+            if channel.name == name:
+                return channel
+        raise InputError(f"no channel is called {name!r}; expected one of {', '.join(self.channels)}")
+
+
+def curves(score: Score, body: str | None = None) -> CurveSet:
+    """The curves of one body of a Score.
+
+    They are closed forms of the events: an event changes nothing outside `[onset - lead, end + lag]`, and outside
+    any breath the lungs are at the body's resting volume.
+
+    Args:
+        score: Any Score; it is read once, in time linear in its events.
+        body: Whose curves; may be left out where the Score has one body.
+
+    Raises:
+        InputError: There is no such body, or it must be named.
+        ScoreError: Breaths or utterances of the body overlap, or an event leaves its own reach.
+    """
+    chosen = _choose(score, body)
+    return CurveSet(body=chosen.id, duration=score.duration, table=CHANNELS, sources=sources(score, chosen))
+
+
+def _choose(score: Score, body: str | None) -> Body:
+    names = ", ".join(repr(each.id) for each in score.bodies) or "none"
+    if body is None:
+        if len(score.bodies) != 1:
+            raise InputError(f"body=None: name one of the score's bodies, {names}")
+        return score.bodies[0]
+    for each in score.bodies:
+        if each.id == body:
+            return each
+    raise InputError(f"body={body!r} is not in the score; expected one of {names}")

@@ -1,0 +1,101 @@
+"""What the channels are computed from: one body's events, and one request's moments."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from scorebreath.curves.breathing import Breathing, breathing
+from scorebreath.curves.face import FaceShape, face_shape
+from scorebreath.curves.levels import BreathLevel, SpeechLevel, breath_level, speech_level
+from scorebreath.curves.tracks import Array, track
+from scorebreath.equations.shapes import trapezoid
+from scorebreath.score.document import Body, Score
+from scorebreath.score.events import Inspiration
+
+WEIGHT_RAMP = 0.2
+"""s in which a host hands its own breathing over at the Score's beginning, and takes it back at its end"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sources:
+    """A body's events, sorted and as arrays."""
+
+    duration: float
+    """s, of the Score"""
+    breathing: Breathing
+    nostrils: FaceShape
+    mouth: FaceShape
+    speech: SpeechLevel
+    breath: BreathLevel
+
+
+def sources(score: Score, body: Body) -> Sources:
+    """Read one body's events.
+
+    Raises:
+        ScoreError: Events contradict each other, or leave their own reach.
+    """
+    inspirations = track(list(score.of(Inspiration, body.id)), "inspirations")
+    return Sources(
+        duration=score.duration,
+        breathing=breathing(score, body.id, body.person),
+        nostrils=face_shape(inspirations, "nostril"),
+        mouth=face_shape(inspirations, "mouth"),
+        speech=speech_level(score, body.id, body.voice.reference_db),
+        breath=breath_level(score, body.id),
+    )
+
+
+class Moments:
+    """Some moments of a body; what several channels need is computed once."""
+
+    def __init__(self, sources: Sources, times: Array) -> None:
+        """Look up the breath under way.
+
+        Args:
+            sources: The body's events.
+            times: Seconds, (n,), in any order.
+        """
+        self.sources = sources
+        self.times = times
+        self._breathing = sources.breathing
+        self._at = sources.breathing.locate(times)
+
+    @cached_property
+    def volume(self) -> Array:
+        """Fraction of VC above residual volume, (n,)."""
+        return self._breathing.volume(*self._at)
+
+    @cached_property
+    def above_rest(self) -> Array:
+        """The driver: volume less the resting volume, (n,); the papers' LF where the resting volume is 0 (B6, B12)."""
+        return self.volume - self._breathing.person.resting_volume
+
+    def factor(self, name: str) -> Array:
+        """What `above_rest` is multiplied by, see `breathing.FACTORS`; (n,)."""
+        return self._breathing.factor(name, self.times, self._at[0])
+
+    @cached_property
+    def thorax_share(self) -> Array:
+        """The thorax's share of the volume above rest, (n,)."""
+        return self.factor("thorax_share")
+
+    @cached_property
+    def neck_pitch(self) -> Array:
+        """Degrees, (n,)."""
+        return self.above_rest * self.factor("neck_pitch")
+
+    @property
+    def airflow(self) -> Array:
+        """L/s, (n,)."""
+        return self._breathing.flow(*self._at) * self._breathing.person.vital_capacity
+
+    @property
+    def weight(self) -> Array:
+        """1 inside the Score, ramps of WEIGHT_RAMP at its ends, 0 outside; (n,)."""
+        edge = min(WEIGHT_RAMP, self.sources.duration / 2)
+        inside = (self.times >= 0) & (self.times <= self.sources.duration)
+        return np.where(inside, trapezoid(self.times, edge, self.sources.duration - 2 * edge, edge), 0.0)
