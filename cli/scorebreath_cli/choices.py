@@ -1,0 +1,52 @@
+"""What may stand after an option, for shell completion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+
+
+def models() -> list[str]:
+    """Planners."""
+    from scorebreath.planning.planners import PLANNERS
+
+    return sorted(PLANNERS)
+
+
+def presets() -> list[str]:
+    """Presets of ours."""
+    from scorebreath.parameters.presets import names
+
+    return list(names())
+
+
+def voices() -> list[str]:
+    """Voices, without their variants."""
+    from scorebreath.speech.voices import list_voices
+
+    return [voice.voice for voice in list_voices()]
+
+
+def engines() -> list[str]:
+    """Sound engines."""
+    from scorebreath.engine.engines import ENGINES
+
+    return list(ENGINES)
+
+
+def assignments() -> list[str]:
+    """Parameters, up to where the value begins."""
+    return [f"{name}=" for name in parameters()]
+
+
+def parameters() -> list[str]:
+    """Parameters."""
+    from scorebreath.parameters.table import Parameters
+
+    return list(Parameters.model_fields)
+
+
+CHOICES: Mapping[str, Callable[[], list[str]]] = MappingProxyType(
+    {kind.__name__: kind for kind in (models, presets, voices, engines, assignments, parameters)}
+)
+"""Every kind of name that completes."""

@@ -1,0 +1,75 @@
+"""`scorebreath compile`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from scorebreath_cli import options as o
+from scorebreath_cli import printers
+from scorebreath_cli.failures import Status, reporting
+from scorebreath_cli.settings import CompileOptions
+
+
+def compile_(
+    *,
+    script: Annotated[str, typer.Argument(metavar="SCRIPT", help="A text file, or - for stdin.")],
+    output: Annotated[
+        str, typer.Option("--output", "-o", metavar="FILE", help="Where the score goes; - is stdout.")
+    ] = "-",
+    voice: o.Voice = None,
+    model: o.Model = None,
+    preset: o.Preset = None,
+    assign: o.Assign = None,
+    seed: o.Seed = None,
+    language: o.Language = None,
+    poem: o.Poem = None,
+    lead: o.Lead = None,
+    tail: o.Tail = None,
+    breath_sound: o.BreathSound = None,
+    breath_motion: o.BreathMotion = None,
+    force: o.Force = False,
+    json_lines: o.Json = False,
+    debug: o.Debug = False,
+) -> None:
+    """Turn a script into a score: what is said, when each breath is taken, and why.
+
+    The samples go into speech/ beside the score; on stdout the score stands alone.
+    """
+    options = CompileOptions(
+        voice=voice, model=model, preset=preset, assignments=tuple(assign or ()), seed=seed, language=language,
+        poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
+    )  # fmt: skip
+    with reporting(lambda: printers.make(json_lines), debug=debug) as printer:
+        from scorebreath.errors import InputError
+        from scorebreath_cli.inputs import read_source
+        from scorebreath_cli.making import Speaker, compile_source
+        from scorebreath_cli.outputs import STANDARD, refuse_existing, staged
+
+        to_stdout = output == STANDARD
+        if to_stdout and json_lines:
+            raise InputError("--json tells its events on stdout, where -o - would put the score; use -o FILE")
+        path = Path(output)
+        if not to_stdout:
+            refuse_existing(path.parent, (path.name,), force=force)
+        with Speaker(options) as speaker:
+            source = read_source(script)
+            if source.compiled:
+                raise InputError(f"{source.name}: is a score already; expected a script")
+            printer.started(source.name, output)
+            if to_stdout:
+                from scorebreath.media.store import MemoryStore
+                from scorebreath.score.codec import dumps
+
+                printers.write_binary(dumps(compile_source(source, options, speaker, MemoryStore(), printer)))
+                return
+            with staged(path.parent) as part:
+                from scorebreath.media.store import FolderStore
+                from scorebreath.score.files import save
+
+                media = FolderStore(part)
+                save(compile_source(source, options, speaker, media, printer), part / path.name, media)
+            printer.written(str(path), path.stat().st_size)
+            printer.done(Status.DONE)

@@ -1,0 +1,125 @@
+"""What a command is given: a script, a Score, or a take; from a file, a folder, or stdin."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from scorebreath.errors import InputError
+from scorebreath_cli.outputs import STANDARD
+
+if TYPE_CHECKING:
+    from scorebreath.media.store import MediaStore
+    from scorebreath.score.document import Score
+
+_JSON = re.compile(rb"(?:\xef\xbb\xbf)?\s*\{\s*[\"}]")
+_TAKE = "take.jsonl"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Source:
+    """One input, read but not yet understood."""
+
+    name: str
+    """as given; `<stdin>` for stdin"""
+    path: Path | None
+    """None for stdin"""
+    data: bytes
+    """empty for a take"""
+    kind: str
+    """`script`, `score` or `take`"""
+
+    @property
+    def compiled(self) -> bool:
+        """Whether it is a Score already, so no option of compiling applies."""
+        return self.kind != "script"
+
+
+def read_source(given: str) -> Source:
+    """Read an input and see what it is.
+
+    A folder is a take. What begins as a JSON object does is a Score, broken or not: no script begins so.
+
+    Raises:
+        InputError: It does not exist, or is a folder without a take.
+        OSError: It may not be read.
+    """
+    if given == STANDARD:
+        return _classified("<stdin>", None, sys.stdin.buffer.read())
+    path = Path(given)
+    try:
+        if path.is_dir():
+            if not (path / _TAKE).is_file():
+                raise InputError(f"{given}: is a folder without {_TAKE}; expected a script, a score, or a take")
+            return Source(name=given, path=path, data=b"", kind="take")
+        if path.name == _TAKE:
+            return Source(name=given, path=path, data=b"", kind="take")
+        return _classified(given, path, path.read_bytes())
+    except (FileNotFoundError, NotADirectoryError):
+        raise InputError(f"{given}: no such file") from None
+    except ValueError as error:
+        raise InputError(f"{given!r}: {error}") from None
+
+
+def load_score(source: Source) -> tuple[Score, MediaStore]:
+    """The Score an input is, and where its media lie (for stdin, beside the working directory).
+
+    Raises:
+        InputError: It is a script.
+        ScoreError: It is broken.
+    """
+    from scorebreath.media.store import FolderStore
+    from scorebreath.score import codec, files
+
+    if source.kind == "script":
+        raise InputError(
+            f"{source.name}: is not a score (no JSON object with a schema key); `scorebreath compile` makes one"
+        )
+    if source.kind == "take" and source.path is not None:
+        return files.load(source.path)
+    folder = source.path.parent if source.path else Path()
+    return codec.loads(source.data, source.name), FolderStore(folder)
+
+
+def names_of(given: Sequence[str]) -> list[str]:
+    """Folder names for several inputs: a file's name without its suffix.
+
+    The Score in an output folder, `NAME/score.json`, is called NAME.
+
+    Raises:
+        InputError: Two would have the same name (or differ only in case), so one would cover the other.
+
+    >>> names_of(["a/one.txt", "out/two/score.json", "-"])
+    ['one', 'two', 'stdin']
+    """
+    found: dict[str, str] = {}
+    names: list[str] = []
+    for one in given:
+        name = _name_of(one)
+        if (before := found.get(name.casefold())) is not None:
+            raise InputError(f"{before} and {one} would both be written to {name!r}; rename one, or use two folders")
+        found[name.casefold()] = one
+        names.append(name)
+    return names
+
+
+def _name_of(given: str) -> str:
+    if given == STANDARD:
+        return "stdin"
+    path = Path(given)
+    if path.name in ("score.json", _TAKE) or not path.name:
+        path = path.resolve()
+    if path.name in ("score.json", _TAKE):
+        path = path.parent
+        return path.name or "score"
+    return path.name if path.is_dir() else path.stem
+
+
+def _classified(name: str, path: Path | None, data: bytes) -> Source:
+    suffix = path.suffix.lower() if path else ""
+    is_score = bool(_JSON.match(data[:4096])) or suffix == ".json"
+    return Source(name=name, path=path, data=data, kind="score" if is_score else "script")

@@ -1,0 +1,142 @@
+"""The options that several commands share, each in one place."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+COMPILING = "Compiling"
+SOUND = "Sound and curves"
+
+
+def _names(kind: str, incomplete: str) -> list[str]:
+    """Names for shell completion; what cannot be had completes nothing."""
+    try:
+        from scorebreath_cli import choices
+
+        names = choices.CHOICES[kind]()
+    except Exception:  # a shell waits for words, not for our troubles
+        return []
+    return [name for name in names if name.startswith(incomplete)]
+
+
+def complete_models(incomplete: str) -> list[str]:
+    """Planners."""
+    return _names("models", incomplete)
+
+
+def complete_presets(incomplete: str) -> list[str]:
+    """Presets of ours."""
+    return _names("presets", incomplete)
+
+
+def complete_voices(incomplete: str) -> list[str]:
+    """Voices."""
+    return _names("voices", incomplete)
+
+
+def complete_engines(incomplete: str) -> list[str]:
+    """Sound engines."""
+    return _names("engines", incomplete)
+
+
+def complete_parameters(incomplete: str) -> list[str]:
+    """Parameters."""
+    return _names("parameters", incomplete)
+
+
+def complete_assignments(incomplete: str) -> list[str]:
+    """Parameters, up to where the value begins."""
+    return _names("assignments", incomplete)
+
+
+Voice = Annotated[
+    str | None,
+    typer.Option(
+        "--voice", metavar="NAME", help="Who speaks; see `scorebreath voices`.", show_default="espeak",
+        autocompletion=complete_voices, rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+Model = Annotated[
+    str | None,
+    typer.Option(
+        "--model", metavar="NAME", help="Who plans the breaths: natural, bernardet-2017 or bernardet-2019.",
+        show_default="natural", autocompletion=complete_models, rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+Preset = Annotated[
+    str | None,
+    typer.Option(
+        "--preset", metavar="NAME|FILE", help="A set of parameters: one of ours (see `scorebreath presets`), or a "
+        ".toml file.", autocompletion=complete_presets, rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+Assign = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set", metavar="NAME=VALUE", help="Set one parameter (see `scorebreath params`); may be repeated.",
+        autocompletion=complete_assignments, rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+Seed = Annotated[
+    int | None,
+    typer.Option(
+        "--seed", metavar="N", min=0, max=2**53, help="Another seed, other chances.", show_default="0",
+        rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+Language = Annotated[
+    str | None,
+    typer.Option("--language", metavar="CODE", help="Language of the text, such as en or de.", show_default="en",
+                 rich_help_panel=COMPILING),
+]  # fmt: skip
+Poem = Annotated[
+    bool | None,
+    typer.Option(
+        "--poem/--prose", help="Whether line ends are phrase edges.", show_default="as the text looks",
+        rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+Lead = Annotated[
+    float | None,
+    typer.Option("--lead", metavar="SECONDS", help="Time before the first breath.", show_default="0.5",
+                 rich_help_panel=COMPILING),
+]  # fmt: skip
+Tail = Annotated[
+    float | None,
+    typer.Option("--tail", metavar="SECONDS", help="Time after the last sound.", show_default="1",
+                 rich_help_panel=COMPILING),
+]  # fmt: skip
+BreathSound = Annotated[
+    bool | None,
+    typer.Option(
+        "--breath-sound/--no-breath-sound", help="Whether breaths are heard; no time changes.",
+        show_default="as the parameters say", rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+BreathMotion = Annotated[
+    bool | None,
+    typer.Option(
+        "--breath-motion/--no-breath-motion", help="Whether breaths are seen; no time changes.",
+        show_default="as the parameters say", rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+
+Engine = Annotated[
+    str,
+    typer.Option("--engine", metavar="NAME", help="What makes the sound: embedded, or an installed scsynth.",
+                 autocompletion=complete_engines, rich_help_panel=SOUND),
+]  # fmt: skip
+Rate = Annotated[
+    int, typer.Option("--rate", metavar="HZ", help="Samples per second of mix.wav.", rich_help_panel=SOUND)
+]
+Fps = Annotated[
+    str,
+    typer.Option("--fps", metavar="RATE", help="Frames per second of the curves: 60, 29.97 or 30000/1001.",
+                 rich_help_panel=SOUND),
+]  # fmt: skip
+
+Force = Annotated[bool, typer.Option("--force", "-f", help="Replace output that is there already.")]
+Json = Annotated[bool, typer.Option("--json", help="Tell what happens as one JSON object a line, on stdout.")]
+Debug = Annotated[bool, typer.Option("--debug", envvar="SCOREBREATH_DEBUG", help="Show tracebacks.", show_envvar=True)]

@@ -1,0 +1,128 @@
+"""From options as given to values: parameters, frame rates; and which options belong to compiling."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass, fields
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+from scorebreath.errors import InputError
+
+if TYPE_CHECKING:
+    from scorebreath.parameters.table import Parameters
+
+DEFAULT_VOICE = "espeak"
+DEFAULT_MODEL = "natural"
+DEFAULT_LANGUAGE = "en"
+LEAD, TAIL = 0.5, 1.0
+"""Silence before and after, s."""
+LONGEST_SILENCE = 60.0
+SAMPLE_RATES = (8000, 192_000)
+FASTEST = 1000
+"""Frames per second."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CompileOptions:
+    """Options that make a Score out of a text; None where one was not given."""
+
+    voice: str | None = None
+    model: str | None = None
+    preset: str | None = None
+    assignments: tuple[str, ...] = ()
+    seed: int | None = None
+    language: str | None = None
+    poem: bool | None = None
+    lead: float | None = None
+    tail: float | None = None
+    breath_sound: bool | None = None
+    breath_motion: bool | None = None
+
+    def refuse(self, source: str) -> None:
+        """A Score is compiled already: none of these applies.
+
+        Raises:
+            InputError: Names the first option that was given.
+        """
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if value is not None and value != ():
+                raise InputError(f"{source}: is a score; {_flag(field.name, value)} belongs to compiling a script")
+
+    def parameters(self) -> Parameters:
+        """Preset, then `--set`, then `--breath-sound` and `--breath-motion`: what comes later wins.
+
+        Raises:
+            ParameterError: A name or value is wrong.
+        """
+        from scorebreath.parameters.table import Parameters
+
+        return Parameters(**self.values())
+
+    def values(self) -> dict[str, Any]:
+        """Name and value of every parameter these options set."""
+        from scorebreath.parameters.assign import parse_assignment
+        from scorebreath.parameters.presets import load_preset
+
+        values: dict[str, Any] = dict(load_preset(self.preset).values) if self.preset is not None else {}
+        values.update(parse_assignment(text) for text in self.assignments)
+        flags = {"breath_sound": self.breath_sound, "breath_motion": self.breath_motion}
+        return values | {name: flag for name, flag in flags.items() if flag is not None}
+
+
+_RATE = re.compile(r"[0-9]{1,9}(\.[0-9]{0,9}|/0{0,3}[1-9][0-9]{0,8})?")
+_FLAGS = {"assignments": "--set"}
+
+
+def _flag(name: str, value: object) -> str:
+    if name == "poem":
+        return "--poem" if value else "--prose"
+    flag = _FLAGS.get(name, "--" + name.replace("_", "-"))
+    return flag.replace("--", "--no-", 1) if value is False else flag
+
+
+def frame_rate(text: str) -> Fraction:
+    """Frames per second, exactly.
+
+    Args:
+        text: A whole number, a decimal, or a ratio.
+
+    Raises:
+        InputError: It is none of these, or outside (0, 1000].
+
+    >>> frame_rate("60"), frame_rate("29.97"), frame_rate("30000/1001")
+    (Fraction(60, 1), Fraction(2997, 100), Fraction(30000, 1001))
+    """
+    if not _RATE.fullmatch(text):
+        raise InputError(f"--fps {text[:40]!r}: expected frames per second such as 60, 29.97 or 30000/1001")
+    rate = Fraction(text)
+    if not 0 < rate <= FASTEST:
+        raise InputError(f"--fps {text}: must be above 0 and at most {FASTEST}")
+    return rate
+
+
+def seconds(name: str, value: float | None, default: float) -> float:
+    """A length of silence.
+
+    Raises:
+        InputError: It is not in [0, 60].
+    """
+    if value is None:
+        return default
+    if math.isnan(value) or not 0 <= value <= LONGEST_SILENCE:
+        raise InputError(f"--{name} {value:g}: must be in [0, {LONGEST_SILENCE:g}] s")
+    return value
+
+
+def sample_rate(value: int) -> int:
+    """Samples per second.
+
+    Raises:
+        InputError: It is not in [8000, 192000].
+    """
+    low, high = SAMPLE_RATES
+    if not low <= value <= high:
+        raise InputError(f"--rate {value}: must be in [{low}, {high}] Hz")
+    return value

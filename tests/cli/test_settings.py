@@ -1,0 +1,86 @@
+"""Options become values; what cannot be is refused by name."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scorebreath_cli.settings import CompileOptions, frame_rate, sample_rate, seconds
+
+from scorebreath.errors import InputError, ParameterError
+
+GIVEN: dict[str, tuple[Any, str]] = {
+    "voice": ("tone", "--voice"),
+    "model": ("natural", "--model"),
+    "preset": ("nose", "--preset"),
+    "assignments": (("nose_share=1",), "--set"),
+    "seed": (0, "--seed"),
+    "language": ("en", "--language"),
+    "poem": (False, "--prose"),
+    "lead": (0.0, "--lead"),
+    "tail": (0.0, "--tail"),
+    "breath_sound": (False, "--no-breath-sound"),
+    "breath_motion": (True, "--breath-motion"),
+}
+
+
+def test_every_option_of_compiling_is_refused_on_a_score() -> None:
+    assert {field.name for field in fields(CompileOptions)} == set(GIVEN)
+    CompileOptions().refuse("x.json")
+    for name, (value, flag) in GIVEN.items():
+        with pytest.raises(InputError, match=rf"^x\.json: is a score; {flag} belongs"):
+            CompileOptions(**{name: value}).refuse("x.json")
+
+
+@given(st.integers(1, 999), st.integers(1, 10_000))
+def test_a_ratio_of_frames_is_exact(number: int, below: int) -> None:
+    assert frame_rate(f"{number}/{below}") == Fraction(number, below)
+
+
+@given(st.integers(1, 999), st.integers(0, 999))
+def test_a_decimal_of_frames_is_exact(whole: int, thousandths: int) -> None:
+    assert frame_rate(f"{whole}.{thousandths:03}") == whole + Fraction(thousandths, 1000)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "0", "-5", "abc", "1/0", "nan", "inf", "1e3", "1e999999999", "60 fps", "1001", "0.0", "9" * 80, "²"]
+)
+def test_other_frame_rates_are_refused(text: str) -> None:
+    with pytest.raises(InputError, match="--fps"):
+        frame_rate(text)
+
+
+@pytest.mark.parametrize("value", [-0.1, 60.1, float("nan"), float("inf")])
+def test_silences_have_limits(value: float) -> None:
+    assert seconds("lead", None, 0.5) == 0.5
+    assert seconds("lead", 0.0, 0.5) == 0.0
+    with pytest.raises(InputError, match="--tail"):
+        seconds("tail", value, 1.0)
+
+
+def test_sample_rates_have_limits() -> None:
+    assert sample_rate(44_100) == 44_100
+    for rate in (7_999, 192_001, 0, -48_000):
+        with pytest.raises(InputError, match="--rate"):
+            sample_rate(rate)
+
+
+def test_what_comes_later_wins(tmp_path: Path) -> None:
+    preset = tmp_path / "mine.toml"
+    preset.write_text("[parameters]\nnose_share = 0.1\nbreath_level = -30.0\nbreath_sound = true\n")
+    options = CompileOptions(
+        preset=str(preset), assignments=("nose_share=0.2", "nose_share=0.3", "breath_sound=true"), breath_sound=False
+    )
+    assert options.values() == {"nose_share": 0.3, "breath_level": -30.0, "breath_sound": False}
+    assert options.parameters().set_by_hand() == options.values()
+
+
+@pytest.mark.parametrize("text", ["nose_share", "nosey=1", "nose_share=2", "nose_share=", "=1", "nose_share=nan"])
+def test_wrong_assignments_are_refused(text: str) -> None:
+    with pytest.raises(ParameterError):
+        CompileOptions(assignments=(text,)).parameters()
