@@ -69,7 +69,7 @@ endif
 
 $(VENV)/.made:
 	@$(MAKE) --no-print-directory check
-	@rm -rf $(VENV) && $(PYTHON) -m venv $(VENV) && pwd > $@
+	@rm -rf $(VENV) && $(PYTHON) -m venv $(VENV) && $(PIP) install --upgrade pip && pwd > $@
 
 $(VENV)/.installed: pyproject.toml $(VENV)/.made
 	@echo "Installing scorebreath and its libraries into $(VENV) (once; it takes a minute or two)"
