@@ -20,6 +20,7 @@ Origin = Literal["rule", "markup", "user", "performer"]
 Closing = Literal["final", "continuing", "question"]
 SentenceType = Literal["statement", "question", "exclamation"]
 Profile = Literal["linear", "sine"]
+PauseKind = Literal["breath", "edge", "phrase", "sentence", "paragraph", "hesitation", "start", "end"]
 Extension = Mapping[str, Any]
 
 
@@ -194,7 +195,7 @@ class Word(Part):
     """s"""
     duration: Number
     """s"""
-    source: tuple[Whole, Whole] | None
+    source: tuple[Whole, Whole] | None = None
     """code points of the Score's text"""
     accent: Flag = False
     merged: Flag = False
@@ -272,7 +273,7 @@ class Pause(Event):
     """Silence between groups or inside one."""
 
     type: ClassVar[str] = "pause"
-    kind: Literal["breath", "edge", "phrase", "sentence", "paragraph", "hesitation", "start", "end"]
+    kind: PauseKind
 
 
 # Face and state

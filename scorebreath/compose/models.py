@@ -1,0 +1,49 @@
+"""The breathing models by name: how a planned and spoken group is placed in time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from scorebreath.compose import bernardet, natural
+from scorebreath.compose.state import BodyState, Spoken
+from scorebreath.errors import InputError
+from scorebreath.parameters.table import Parameters
+from scorebreath.score.document import Person
+from scorebreath.score.events import Event
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BreathingModel:
+    """The three functions of a breathing model."""
+
+    person: Callable[[Parameters], Person]
+    """the body's lungs"""
+    step: Callable[[BodyState, Spoken], tuple[BodyState, list[Event]]]
+    """places one group"""
+    finish: Callable[[BodyState], tuple[BodyState, list[Event]]]
+    """what follows the last group"""
+
+
+_BERNARDET = BreathingModel(person=bernardet.person, step=bernardet.step, finish=bernardet.finish)
+
+MODELS: Mapping[str, BreathingModel] = MappingProxyType(
+    {
+        "bernardet-2017": _BERNARDET,
+        "bernardet-2019": _BERNARDET,
+        "natural": BreathingModel(person=natural.person, step=natural.step, finish=natural.finish),
+    }
+)
+"""Each model has a planner of the same name."""
+
+
+def breathing_model(name: str) -> BreathingModel:
+    """The model of that name.
+
+    Raises:
+        InputError: There is none.
+    """
+    if name not in MODELS:
+        raise InputError(f"no model is called {name!r} (there are {', '.join(MODELS)})")
+    return MODELS[name]

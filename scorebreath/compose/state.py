@@ -1,0 +1,63 @@
+"""What a body carries from group to group, and what one step is given."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+
+from scorebreath.parameters.table import Parameters
+from scorebreath.planning.model import BreathGroup
+from scorebreath.score.document import Person, Site
+from scorebreath.speech.model import Speech
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BodyState:
+    """All that is carried: where a body is in time and breath."""
+
+    body: str
+    seed: int
+    parameters: Parameters
+    person: Person
+    time: float
+    """s; the next group begins here"""
+    volume: float
+    """fraction of VC above residual volume"""
+    site: Site = "text end"
+    """the boundary behind; `text end` before anything was said"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Spoken:
+    """A breath group that has been spoken and measured."""
+
+    group: BreathGroup
+    id: str
+    """of the group in the Score"""
+    place: str
+    """key of its chance: its words and which occurrence of them it is"""
+    speech: Speech
+    media: str
+    """SHA-256 of its samples"""
+
+
+class Places:
+    """Keys that name a group by its place in the text rather than by its number.
+
+    The key is the group's own words and which occurrence of them it is, so inserting a sentence elsewhere leaves it.
+    """
+
+    def __init__(self) -> None:
+        """Nothing has been said."""
+        self._said: Counter[str] = Counter()
+
+    def key(self, text: str) -> str:
+        """The key of the next group that says `text`.
+
+        >>> places = Places()
+        >>> places.key("again"), places.key("and"), places.key("again")
+        ('again#0', 'and#0', 'again#1')
+        """
+        words = " ".join(text.split())
+        self._said[words] += 1
+        return f"{words}#{self._said[words] - 1}"
