@@ -1,0 +1,63 @@
+"""Spoken groups made by hand, and a body to place them."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from scorebreath.compose.models import breathing_model
+from scorebreath.compose.state import BodyState, Places, Spoken
+from scorebreath.parameters.table import Parameters
+from scorebreath.planning.model import BreathGroup
+from scorebreath.score.document import CutReason, Site
+from scorebreath.score.events import Event, Level, Phone, Pitch
+from scorebreath.spans import Span, join
+from scorebreath.speech.model import Speech
+from scorebreath.units import snap
+
+RATE = 8000
+
+
+def spoken(number: int, text: str, syllables: int, seconds: float, site: Site, key: str, **changes: Any) -> Spoken:
+    """A group of so many syllables that takes so long to say."""
+    group = BreathGroup(
+        index=number,
+        source=Span(0, len(text)),
+        text=text,
+        spoken=join([(text, Span(0, len(text)))]),
+        words=(),
+        syllables=syllables,
+        sentence_type="statement",
+        ends_sentence=site in ("sentence", "paragraph", "text end"),
+        cut=CutReason(site=site, rule="by hand"),
+    )
+    group = dataclasses.replace(group, **changes)
+    frames = round(seconds * RATE)
+    speech = Speech(
+        samples=np.zeros(frames, np.float32),
+        sample_rate=RATE,
+        words=(),
+        phones=(Phone(ipa="a", onset=0.0, duration=snap(frames / RATE)),),
+        pitch=Pitch(step=0.005, hertz=()),
+        level=Level(step=0.01, db=()),
+    )
+    return Spoken(group=group, id=f"g{number}", place=key, speech=speech, media="0" * 64)
+
+
+def perform(
+    model: str, said: list[tuple[str, int, float, Site]], parameters: Parameters | None = None, seed: int = 0
+) -> tuple[list[Event], BodyState]:
+    """All events of these groups (text, syllables, seconds, site), and the body afterwards."""
+    p = parameters or Parameters()
+    breathing = breathing_model(model)
+    person = breathing.person(p)
+    state = BodyState(body="body", seed=seed, parameters=p, person=person, time=0.5, volume=person.resting_volume)
+    events: list[Event] = []
+    places = Places()
+    for number, (text, syllables, seconds, site) in enumerate(said):
+        state, placed = breathing.step(state, spoken(number, text, syllables, seconds, site, places.key(text)))
+        events += placed
+    state, placed = breathing.finish(state)
+    return [*events, *placed], state
