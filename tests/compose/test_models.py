@@ -17,11 +17,12 @@ from scorebreath.score.events import EVENTS, Event, Expiration, Hold, Inspiratio
 
 from .bodies import perform, spoken
 
+sites: st.SearchStrategy[Site] = st.sampled_from(["sentence", "paragraph", "comma", "clause", "word"])
 said = st.tuples(
     st.text("abc ", min_size=1, max_size=5),
     st.integers(1, 60),
     st.integers(50, 12_000).map(lambda ms: ms / 1000),
-    st.sampled_from(["sentence", "paragraph", "comma", "clause", "word"]),
+    sites,
 )
 texts: st.SearchStrategy[list[tuple[str, int, float, Site]]] = st.lists(said, min_size=1, max_size=6)
 FORECAST: list[tuple[str, int, float, Site]] = [

@@ -28,7 +28,7 @@ def test_every_row_says_what_it_is(name: str) -> None:
     assert extra["level"] in ("abstract", "low", "natural", "output")
     assert osc_address(name).startswith("/scorebreath/")
     if row.default is not None and bounds(name):
-        low, high = bounds(name) or (0, 0)
+        low, high = bounds(name) or (0.0, 0.0)
         assert low <= row.default <= high
 
 
@@ -51,9 +51,12 @@ def test_every_range_is_kept_and_named(name: str) -> None:
     low, high = bounds(name) or (0.0, 0.0)
     for value in (low, high):
         assert getattr(Parameters(**{name: value}), name) == value
-    for value in (math.nextafter(low, -math.inf), math.nextafter(high, math.inf), math.nan, math.inf, "x", True):
+    refused: tuple[object, ...] = (
+        math.nextafter(low, -math.inf), math.nextafter(high, math.inf), math.nan, math.inf, "x", True,
+    )  # fmt: skip
+    for wrong in refused:
         with pytest.raises(ParameterError, match=name) as caught:
-            Parameters(**{name: value})
+            Parameters(**{name: wrong})
         assert f"[{low:g}, {high:g}]" in str(caught.value)
 
 
