@@ -1,0 +1,51 @@
+"""Media as the engine wants them: at its own rate, one channel, ending with a zero, under plain names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from scorebreath.errors import ScoreError
+from scorebreath.media.store import MediaStore
+from scorebreath.media.wave import write_wave
+from scorebreath.signal.resample import resample
+
+
+def stage(
+    names: Sequence[str],
+    media: MediaStore,
+    folder: Path,
+    *,
+    sample_rate: int,
+    on_progress: Callable[[float], None] | None = None,
+) -> dict[str, str]:
+    """Write media into a folder, one at a time.
+
+    Args:
+        names: SHA-256 of what is wanted; twice is once.
+        media: Where they are.
+        folder: Where they go.
+        sample_rate: The engine's, Hz.
+        on_progress: Called with the share that is done.
+
+    Returns:
+        Names of files in the folder, by SHA-256.
+
+    Raises:
+        ScoreError: Media are missing, or hold samples that are not finite.
+    """
+    wanted = list(dict.fromkeys(names))
+    staged: dict[str, str] = {}
+    for index, name in enumerate(wanted):
+        sound = media.get(name)
+        if not np.isfinite(np.abs(sound.samples).max(initial=0.0)):
+            raise ScoreError(f"media {name[:12]!r} hold samples that are not finite")
+        samples = np.append(resample(sound.samples, sound.sample_rate, sample_rate), np.float32(0))
+        staged[name] = f"s{index:06d}.wav"
+        with (folder / staged[name]).open("wb") as stream:
+            write_wave(stream, [samples], frames=len(samples), sample_rate=sample_rate, encoding="float32")
+        if on_progress is not None:
+            on_progress((index + 1) / len(wanted))
+    return staged
