@@ -3,26 +3,68 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
+from scorebreath_cli.commands.compile import compile_
+from scorebreath_cli.commands.curves import curves
+from scorebreath_cli.commands.doctor import doctor
+from scorebreath_cli.commands.explain import explain
 from scorebreath_cli.commands.params import params
 from scorebreath_cli.commands.presets import presets
+from scorebreath_cli.commands.render import render
 from scorebreath_cli.commands.schema import schema
+from scorebreath_cli.commands.voices import voices
 
-COMMANDS: tuple[tuple[Callable[..., Any], str, tuple[str, ...]], ...] = (
-    (params, "Look", ("params", "params --preset casual-tts", "params --set nose_share=0.8 amplitude_sound_nose",
-                      "params --json-schema > parameters.schema.json")),
-    (presets, "Look", ("presets", "presets formal-tts", "render speech.txt -o out --preset formal-tts")),
-    (schema, "Look", ("schema > score.schema.json",)),
+MAKE, LOOK = "Make", "Look"
+Examples = tuple[str, ...]
+COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
+    ("render", render, MAKE, (
+        "scorebreath render speech.txt -o out",
+        "scorebreath render chapter1.txt chapter2.txt -o book --voice espeak:en-us+f3",
+        "scorebreath render poem.txt -o out --poem --language de --set nose_share=0.8",
+        "scorebreath render score.json -o out --engine scsynth --fps 30000/1001",
+        "fortune | scorebreath render - -o - | aplay",
+    )),
+    ("compile", compile_, MAKE, (
+        "scorebreath compile speech.txt -o score.json",
+        "scorebreath compile speech.txt --model bernardet-2019 --set capacity_lung=64 -o score.json",
+        "scorebreath compile speech.txt | scorebreath curves - --fps 24",
+    )),
+    ("curves", curves, MAKE, (
+        "scorebreath curves score.json -o curves.csv --fps 60",
+        "scorebreath curves score.json -o curves.json --fps 30000/1001",
+        "scorebreath curves --describe",
+    )),
+    ("explain", explain, LOOK, (
+        "scorebreath explain speech.txt",
+        "scorebreath explain speech.txt --model bernardet-2017 --set length_utterance=12",
+        "scorebreath explain score.json --json",
+    )),
+    ("params", params, LOOK, (
+        "scorebreath params",
+        "scorebreath params --preset casual-tts",
+        "scorebreath params --set nose_share=0.8 amplitude_sound_nose",
+        "scorebreath params --json-schema > parameters.schema.json",
+    )),
+    ("presets", presets, LOOK, (
+        "scorebreath presets",
+        "scorebreath presets formal-tts",
+        "scorebreath render speech.txt -o out --preset formal-tts",
+    )),
+    ("voices", voices, LOOK, ("scorebreath voices", "scorebreath render speech.txt -o out --voice espeak:en-us+f3")),
+    ("schema", schema, LOOK, ("scorebreath schema > score.schema.json",)),
+    ("doctor", doctor, LOOK, ("scorebreath doctor", "scorebreath doctor --json")),
 )  # fmt: skip
-"""Function (its name is the command's), panel of `--help`, examples."""
+"""Name, function, panel of `--help`, examples."""
+
+STATUSES = "0 done, 1 a bug of ours, 2 bad usage or input, 3 environment (engine, voice, disk), 130 interrupted"
 
 app = typer.Typer(
     name="scorebreath",
     help="Speech breathing for talking characters: text in; breath, voice and animation curves out.",
-    epilog="[bold]Examples[/bold]\n\nscorebreath render speech.txt -o out\nscorebreath COMMAND --help",
+    epilog=f"[bold]Example[/bold]  scorebreath render speech.txt -o out\n\n[bold]Exit status[/bold]  {STATUSES}",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     rich_markup_mode="rich",
@@ -32,9 +74,13 @@ app = typer.Typer(
 
 def _version(wanted: bool) -> None:
     if wanted:
-        from importlib.metadata import version
+        from importlib import metadata
 
-        typer.echo(f"scorebreath {version('scorebreath')}")
+        try:
+            found = metadata.version("scorebreath")
+        except metadata.PackageNotFoundError:
+            found = "(not installed)"
+        typer.echo(f"scorebreath {found}")
         raise typer.Exit()
 
 
@@ -47,8 +93,9 @@ def _scorebreath(
     pass
 
 
-for _command, _panel, _examples in COMMANDS:
+for _name, _command, _panel, _examples in COMMANDS:
     app.command(
+        _name,
         rich_help_panel=_panel,
-        epilog="\n".join(["[bold]Examples[/bold]\n", *(f"  scorebreath {example}" for example in _examples)]),
+        epilog="\n".join(["[bold]Examples[/bold]\n", *(f"  {example}" for example in _examples)]),
     )(_command)

@@ -61,8 +61,10 @@ def worst(statuses: Iterator[Status] | list[Status]) -> Status:
     return max(statuses, key=GRAVITY.index, default=Status.DONE)
 
 
-def failure_of(error: BaseException) -> Failure:
-    """What an error means for the one who gave the command."""
+def failure_of(error: BaseException, *, debug: bool = False) -> Failure:
+    """What an error means for the one who gave the command; with `debug` its traceback goes to stderr."""
+    if debug and not isinstance(error, BrokenPipeError):
+        traceback.print_exception(error)
     from scorebreath.errors import ScorebreathError, ScriptError
 
     kind = type(error).__name__
@@ -106,9 +108,7 @@ def reporting(make_printer: Callable[[], Printer], *, debug: bool) -> Iterator[P
     except (Exception, KeyboardInterrupt) as error:
         if isinstance(error, typer.Exit):
             raise
-        failure = failure_of(error)
-        if debug and failure.status != Status.PIPE_CLOSED:
-            traceback.print_exception(error)
+        failure = failure_of(error, debug=debug)
         _tell(printer, failure)
         raise typer.Exit(failure.status) from None
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from concurrent.futures import Future, ThreadPoolExecutor
+from collections.abc import Callable
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
@@ -16,7 +16,8 @@ from scorebreath_cli.settings import (
     TAIL,
     CompileOptions,
     seconds,
-)  # fmt: skip
+    seed,
+)
 
 if TYPE_CHECKING:
     from scorebreath.media.store import MediaStore
@@ -24,80 +25,73 @@ if TYPE_CHECKING:
     from scorebreath.speech.model import Voice
 
 
-class Speaker:
-    """The voice of a run: starts up in the background while the rest is imported, and speaks every script.
+class Compiler:
+    """Compiles every script of a run with one voice, opened when it is first needed and closed at the end."""
 
-    Args:
-        options: Name the voice and its language.
-    """
+    def __init__(self, options: CompileOptions, printer: Printer) -> None:
+        """Nothing starts yet.
 
-    def __init__(self, options: CompileOptions) -> None:
-        """Nothing starts before `warm` or `voice`."""
-        self._name = options.voice or DEFAULT_VOICE
-        self._language = options.language or DEFAULT_LANGUAGE
-        self._pool = ThreadPoolExecutor(1, thread_name_prefix="voice")
-        self._opening: Future[Voice] | None = None
-
-    def warm(self) -> None:
-        """Start it; what goes wrong is told when it is needed."""
-        if self._opening is None:
-            self._opening = self._pool.submit(self._open)
+        Args:
+            options: How to compile.
+            printer: Told how far it is.
+        """
+        self.options, self._printer = options, printer
+        self._voice: Voice | None = None
 
     def voice(self) -> Voice:
-        """The voice.
+        """The voice; a first call starts its process, which gets ready by itself.
 
         Raises:
             InputError: There is none of that name.
             VoiceError: It is not installed, or does not speak the language.
         """
-        self.warm()
-        assert self._opening is not None
-        return self._opening.result()
+        if self._voice is None:
+            from scorebreath.speech.voices import open_voice
+
+            self._voice = open_voice(self.options.voice or DEFAULT_VOICE, self.options.language or DEFAULT_LANGUAGE)
+        return self._voice
+
+    def compile(self, source: Source, media: MediaStore, meanwhile: Callable[[], None] = lambda: None) -> Score:
+        """The Score of a script; its speech goes to `media`.
+
+        Args:
+            source: A script.
+            media: Where the speech goes.
+            meanwhile: Something useful to do while the voice gets ready.
+
+        Raises:
+            InputError: The script, an option or a parameter is wrong.
+            VoiceError: The voice failed.
+        """
+        voice, options = self.voice(), self.options
+        from scorebreath.pipeline import compile_text
+        from scorebreath.script.decode import decode
+
+        parameters = options.parameters()
+        text = decode(source.data, source.name)
+        lead, tail = seconds("lead", options.lead, LEAD), seconds("tail", options.tail, TAIL)
+        self._printer.progress("speak", 0.0)
+        meanwhile()
+        return compile_text(
+            text,
+            parameters=parameters,
+            voice=voice,
+            model=options.model or DEFAULT_MODEL,
+            language=options.language or DEFAULT_LANGUAGE,
+            poem=options.poem,
+            seed=seed(options.seed),
+            media=media,
+            lead=lead,
+            tail=tail,
+            file=source.name,
+            on_progress=lambda fraction: self._printer.progress("speak", fraction),
+        )
 
     def __enter__(self) -> Self:
-        """The speaker."""
+        """The compiler."""
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
-        """End the voice's processes."""
-        self._pool.shutdown()
-        if self._opening is not None and self._opening.exception() is None:
-            self._opening.result().close()
-
-    def _open(self) -> Voice:
-        from scorebreath.speech.voices import open_voice
-
-        return open_voice(self._name, self._language)
-
-
-def compile_source(
-    source: Source, options: CompileOptions, speaker: Speaker, media: MediaStore, printer: Printer
-) -> Score:
-    """Compile a script; its speech goes to `media`.
-
-    Raises:
-        InputError: The script, an option or a parameter is wrong.
-        VoiceError: The voice failed.
-    """
-    speaker.warm()
-    from scorebreath.script.decode import decode
-
-    from scorebreath.pipeline import compile_text
-
-    parameters = options.parameters()
-    text = decode(source.data, source.name)
-    printer.progress("speak", 0.0)
-    return compile_text(
-        text,
-        parameters=parameters,
-        voice=speaker.voice(),
-        model=options.model or DEFAULT_MODEL,
-        language=options.language or DEFAULT_LANGUAGE,
-        poem=options.poem,
-        seed=options.seed or 0,
-        media=media,
-        lead=seconds("lead", options.lead, LEAD),
-        tail=seconds("tail", options.tail, TAIL),
-        file=source.name,
-        on_progress=lambda fraction: printer.progress("speak", fraction),
-    )
+        """End the voice's process."""
+        if self._voice is not None:
+            self._voice.close()

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 COMPILING = "Compiling"
+BREATHS = "Compiling: silences and breaths"
 SOUND = "Sound and curves"
 
 
@@ -54,72 +55,71 @@ def complete_assignments(incomplete: str) -> list[str]:
 Voice = Annotated[
     str | None,
     typer.Option(
-        "--voice", metavar="NAME", help="Who speaks; see `scorebreath voices`.", show_default="espeak",
+        "--voice", metavar="NAME", help="Who speaks: espeak by default; see `scorebreath voices`.",
         autocompletion=complete_voices, rich_help_panel=COMPILING,
     ),
 ]  # fmt: skip
 Model = Annotated[
     str | None,
     typer.Option(
-        "--model", metavar="NAME", help="Who plans the breaths: natural, bernardet-2017 or bernardet-2019.",
-        show_default="natural", autocompletion=complete_models, rich_help_panel=COMPILING,
+        "--model", metavar="NAME", help="Who plans the breaths: natural (default), bernardet-2017 or bernardet-2019.",
+        autocompletion=complete_models, rich_help_panel=COMPILING,
     ),
 ]  # fmt: skip
 Preset = Annotated[
     str | None,
     typer.Option(
-        "--preset", metavar="NAME|FILE", help="A set of parameters: one of ours (see `scorebreath presets`), or a "
-        ".toml file.", autocompletion=complete_presets, rich_help_panel=COMPILING,
+        "--preset", metavar="NAME|FILE", help="A set of parameters: one of `scorebreath presets`, or a .toml file.",
+        autocompletion=complete_presets, rich_help_panel=COMPILING,
     ),
 ]  # fmt: skip
 Assign = Annotated[
     list[str] | None,
     typer.Option(
-        "--set", metavar="NAME=VALUE", help="Set one parameter (see `scorebreath params`); may be repeated.",
+        "--set", metavar="NAME=VALUE", help="Set one of `scorebreath params`; may be repeated.",
         autocompletion=complete_assignments, rich_help_panel=COMPILING,
     ),
 ]  # fmt: skip
 Seed = Annotated[
     int | None,
-    typer.Option(
-        "--seed", metavar="N", min=0, max=2**53, help="Another seed, other chances.", show_default="0",
-        rich_help_panel=COMPILING,
-    ),
-]  # fmt: skip
+    typer.Option("--seed", metavar="N", help="Another seed, other chances; 0 by default.", rich_help_panel=COMPILING),
+]
 Language = Annotated[
     str | None,
-    typer.Option("--language", metavar="CODE", help="Language of the text, such as en or de.", show_default="en",
-                 rich_help_panel=COMPILING),
+    typer.Option(
+        "--language", metavar="CODE", help="Language of the text, such as de; en by default.",
+        rich_help_panel=COMPILING,
+    ),
 ]  # fmt: skip
 Poem = Annotated[
     bool | None,
     typer.Option(
-        "--poem/--prose", help="Whether line ends are phrase edges.", show_default="as the text looks",
+        "--poem/--prose", help="Whether line ends are phrase edges; by default as the text looks.",
         rich_help_panel=COMPILING,
     ),
 ]  # fmt: skip
 Lead = Annotated[
     float | None,
-    typer.Option("--lead", metavar="SECONDS", help="Time before the first breath.", show_default="0.5",
-                 rich_help_panel=COMPILING),
-]  # fmt: skip
+    typer.Option(
+        "--lead", metavar="SECONDS", help="Time before the first breath; 0.5 by default.", rich_help_panel=BREATHS
+    ),
+]
 Tail = Annotated[
     float | None,
-    typer.Option("--tail", metavar="SECONDS", help="Time after the last sound.", show_default="1",
-                 rich_help_panel=COMPILING),
-]  # fmt: skip
+    typer.Option("--tail", metavar="SECONDS", help="Time after the last sound; 1 by default.", rich_help_panel=BREATHS),
+]
 BreathSound = Annotated[
     bool | None,
     typer.Option(
         "--breath-sound/--no-breath-sound", help="Whether breaths are heard; no time changes.",
-        show_default="as the parameters say", rich_help_panel=COMPILING,
+        rich_help_panel=BREATHS,
     ),
 ]  # fmt: skip
 BreathMotion = Annotated[
     bool | None,
     typer.Option(
         "--breath-motion/--no-breath-motion", help="Whether breaths are seen; no time changes.",
-        show_default="as the parameters say", rich_help_panel=COMPILING,
+        rich_help_panel=BREATHS,
     ),
 ]  # fmt: skip
 
@@ -139,4 +139,4 @@ Fps = Annotated[
 
 Force = Annotated[bool, typer.Option("--force", "-f", help="Replace output that is there already.")]
 Json = Annotated[bool, typer.Option("--json", help="Tell what happens as one JSON object a line, on stdout.")]
-Debug = Annotated[bool, typer.Option("--debug", envvar="SCOREBREATH_DEBUG", help="Show tracebacks.", show_envvar=True)]
+Debug = Annotated[bool, typer.Option("--debug", envvar="SCOREBREATH_DEBUG", help="Show tracebacks.")]

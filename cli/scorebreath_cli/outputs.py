@@ -65,9 +65,7 @@ def staged(folder: Path, *, own: Callable[[Path], set[str]] = lambda _: set()) -
     """
     with ExitStack() as undo:
         try:
-            for missing in reversed([p for p in folder.parents if not p.exists()]):
-                missing.mkdir()
-                undo.callback(_remove_empty, missing)
+            _make_parents(folder, undo)
             exists = folder.is_dir()
             home = folder if exists else folder.parent
             part = Path(tempfile.mkdtemp(prefix=f".{folder.name or 'out'}.", suffix=".part", dir=home))
@@ -100,33 +98,30 @@ def old_media(folder: Path) -> set[str]:
     return {name.decode() for name in named}
 
 
-def write_file(path: Path, write: Callable[[Path], None]) -> None:
-    """Write one file, whole or not at all.
-
-    Args:
-        path: Its place.
-        write: Writes what it is given a path for.
-    """
-    with staged_file(path) as part:
-        write(part)
-
-
 @contextmanager
 def staged_file(path: Path) -> Iterator[Path]:
-    """A path to write to; what stands there replaces `path` when all is well."""
-    try:
-        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
-    except OSError as error:
-        raise EnvironmentFailure(f"{path}: cannot be written: {error.strerror}") from None
-    os.close(handle)
-    part = Path(name)
-    try:
+    """A path to write to; what stands there replaces `path` when all is well, and vanishes when not.
+
+    Raises:
+        EnvironmentFailure: The disk refuses.
+    """
+    with ExitStack() as undo:
+        try:
+            _make_parents(path, undo)
+            handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+        except OSError as error:
+            raise EnvironmentFailure(f"{path}: cannot be written: {error.strerror}") from None
+        os.close(handle)
+        part = Path(name)
+        undo.callback(part.unlink, missing_ok=True)
         part.chmod(0o666 & ~_umask())
         yield part
         with uninterrupted():
-            part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
+            try:
+                part.replace(path)
+            except OSError as error:
+                raise EnvironmentFailure(f"{path}: cannot be written: {error.strerror}") from None
+            undo.pop_all()
 
 
 @contextmanager
@@ -173,6 +168,12 @@ def _merge(part: Path, folder: Path, old: set[str]) -> None:
         shutil.rmtree(attic)
         raise
     shutil.rmtree(attic, ignore_errors=True)
+
+
+def _make_parents(path: Path, undo: ExitStack) -> None:
+    for missing in reversed([parent for parent in path.parents if not parent.exists()]):
+        missing.mkdir()
+        undo.callback(_remove_empty, missing)
 
 
 def _remove_empty(folder: Path) -> None:

@@ -14,9 +14,8 @@ if TYPE_CHECKING:
 
 EVENT_SCHEMA = "scorebreath.event/1"
 Row = Mapping[str, Any]
-STAGES = ("speak", "sound", "write")
-"""Stages of a long command, in the order in which they end."""
-_SAID = {"speak": "Speaking", "sound": "Rendering", "write": "Writing"}
+STAGES = {"speak": "Speaking", "staging": "Resampling", "engine": "Rendering", "writing": "Writing"}
+"""Stages of a long command, in their order, and what people are told."""
 
 
 class Printer(Protocol):
@@ -136,7 +135,7 @@ class HumanPrinter:
         if self._bar is None:
             self._bar, self._task = _bar()
         assert self._task is not None
-        self._bar.update(self._task, description=f"{_SAID.get(stage, stage)} {self._source}", completed=fraction)
+        self._bar.update(self._task, description=f"{STAGES.get(stage, stage)} {self._source}", completed=fraction)
 
     def written(self, path: str, size: int) -> None:
         """The path, on stdout."""

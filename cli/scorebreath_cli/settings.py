@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass, fields
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from scorebreath.errors import InputError
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from scorebreath.parameters.table import Parameters
 
 DEFAULT_VOICE = "espeak"
@@ -19,9 +20,8 @@ DEFAULT_LANGUAGE = "en"
 LEAD, TAIL = 0.5, 1.0
 """Silence before and after, s."""
 LONGEST_SILENCE = 60.0
+LARGEST_SEED = 2**53 - 1
 SAMPLE_RATES = (8000, 192_000)
-FASTEST = 1000
-"""Frames per second."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -87,20 +87,21 @@ def frame_rate(text: str) -> Fraction:
     """Frames per second, exactly.
 
     Args:
-        text: A whole number, a decimal, or a ratio.
+        text: A whole number, a decimal, or a ratio; no exponent, as `1e999999999` would take all memory there is.
 
     Raises:
-        InputError: It is none of these, or outside (0, 1000].
+        InputError: It is none of these, or out of range.
 
     >>> frame_rate("60"), frame_rate("29.97"), frame_rate("30000/1001")
     (Fraction(60, 1), Fraction(2997, 100), Fraction(30000, 1001))
     """
+    from fractions import Fraction
+
+    from scorebreath.formats.frames import check_rate
+
     if not _RATE.fullmatch(text):
         raise InputError(f"--fps {text[:40]!r}: expected frames per second such as 60, 29.97 or 30000/1001")
-    rate = Fraction(text)
-    if not 0 < rate <= FASTEST:
-        raise InputError(f"--fps {text}: must be above 0 and at most {FASTEST}")
-    return rate
+    return check_rate(Fraction(text))
 
 
 def seconds(name: str, value: float | None, default: float) -> float:
@@ -114,6 +115,17 @@ def seconds(name: str, value: float | None, default: float) -> float:
     if math.isnan(value) or not 0 <= value <= LONGEST_SILENCE:
         raise InputError(f"--{name} {value:g}: must be in [0, {LONGEST_SILENCE:g}] s")
     return value
+
+
+def seed(value: int | None) -> int:
+    """Where every chance begins.
+
+    Raises:
+        InputError: It is below 0, or no JSON reader could hold it.
+    """
+    if value is not None and not 0 <= value <= LARGEST_SEED:
+        raise InputError(f"--seed {value}: must be in [0, {LARGEST_SEED}]")
+    return value or 0
 
 
 def sample_rate(value: int) -> int:

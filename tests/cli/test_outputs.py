@@ -128,8 +128,11 @@ def test_one_file_is_replaced_whole(tmp_path: Path) -> None:
         part.write_text("new")
         assert path.read_text() == "old"
     assert tree(tmp_path) == {"curves.csv": b"new"}
-    with pytest.raises(EnvironmentFailure), staged_file(tmp_path / "no" / "folder.csv"):
+    with pytest.raises(ZeroDivisionError), staged_file(tmp_path / "new" / "folder" / "x.csv"):
+        raise ZeroDivisionError
+    with pytest.raises(EnvironmentFailure), staged_file(path / "x.csv"):
         pass
+    assert [p.name for p in tmp_path.iterdir()] == ["curves.csv"]
 
 
 def test_an_interrupt_waits_for_the_move_to_end() -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scorebreath_cli.settings import CompileOptions, frame_rate, sample_rate, seconds
+from scorebreath_cli.settings import CompileOptions, frame_rate, sample_rate, seconds, seed
 
 from scorebreath.errors import InputError, ParameterError
 
@@ -48,10 +48,10 @@ def test_a_decimal_of_frames_is_exact(whole: int, thousandths: int) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["", "0", "-5", "abc", "1/0", "nan", "inf", "1e3", "1e999999999", "60 fps", "1001", "0.0", "9" * 80, "²"]
+    "text", ["", "0", "-5", "abc", "1/0", "nan", "inf", "1e3", "1e999999999", "60 fps", "100001", "0.0", "9" * 80, "²"]
 )
 def test_other_frame_rates_are_refused(text: str) -> None:
-    with pytest.raises(InputError, match="--fps"):
+    with pytest.raises(InputError, match="fps"):
         frame_rate(text)
 
 
@@ -61,6 +61,13 @@ def test_silences_have_limits(value: float) -> None:
     assert seconds("lead", 0.0, 0.5) == 0.0
     with pytest.raises(InputError, match="--tail"):
         seconds("tail", value, 1.0)
+
+
+def test_seeds_have_limits() -> None:
+    assert (seed(None), seed(0), seed(2**53 - 1)) == (0, 0, 2**53 - 1)
+    for value in (-1, 2**53):
+        with pytest.raises(InputError, match="--seed"):
+            seed(value)
 
 
 def test_sample_rates_have_limits() -> None:

@@ -45,7 +45,7 @@ def compile_(
     with reporting(lambda: printers.make(json_lines), debug=debug) as printer:
         from scorebreath.errors import InputError
         from scorebreath_cli.inputs import read_source
-        from scorebreath_cli.making import Speaker, compile_source
+        from scorebreath_cli.making import Compiler
         from scorebreath_cli.outputs import STANDARD, refuse_existing, staged
 
         to_stdout = output == STANDARD
@@ -54,7 +54,7 @@ def compile_(
         path = Path(output)
         if not to_stdout:
             refuse_existing(path.parent, (path.name,), force=force)
-        with Speaker(options) as speaker:
+        with Compiler(options, printer) as compiler:
             source = read_source(script)
             if source.compiled:
                 raise InputError(f"{source.name}: is a score already; expected a script")
@@ -63,13 +63,13 @@ def compile_(
                 from scorebreath.media.store import MemoryStore
                 from scorebreath.score.codec import dumps
 
-                printers.write_binary(dumps(compile_source(source, options, speaker, MemoryStore(), printer)))
+                printers.write_binary(dumps(compiler.compile(source, MemoryStore())))
                 return
             with staged(path.parent) as part:
                 from scorebreath.media.store import FolderStore
                 from scorebreath.score.files import save
 
                 media = FolderStore(part)
-                save(compile_source(source, options, speaker, media, printer), part / path.name, media)
+                save(compiler.compile(source, media), part / path.name, media)
             printer.written(str(path), path.stat().st_size)
             printer.done(Status.DONE)

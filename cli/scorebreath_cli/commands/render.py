@@ -1,0 +1,103 @@
+"""`scorebreath render`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from scorebreath_cli import options as o
+from scorebreath_cli import printers
+from scorebreath_cli.failures import Status, reporting
+from scorebreath_cli.settings import CompileOptions
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from scorebreath_cli.printers import Printer
+    from scorebreath_cli.rendering import Renderer
+
+
+def render(
+    *,
+    inputs: Annotated[
+        list[str],
+        typer.Argument(metavar="SCRIPT|SCORE|TAKE", help="Texts, scores, folders of takes, or - for stdin."),
+    ],
+    output: Annotated[
+        str,
+        typer.Option("--output", "-o", metavar="DIR", help="Where everything goes; - sends the sound to stdout."),
+    ],
+    voice: o.Voice = None,
+    model: o.Model = None,
+    preset: o.Preset = None,
+    assign: o.Assign = None,
+    seed: o.Seed = None,
+    language: o.Language = None,
+    poem: o.Poem = None,
+    lead: o.Lead = None,
+    tail: o.Tail = None,
+    breath_sound: o.BreathSound = None,
+    breath_motion: o.BreathMotion = None,
+    engine: o.Engine = "embedded",
+    rate: o.Rate = 48000,
+    fps: o.Fps = "60",
+    force: o.Force = False,
+    json_lines: o.Json = False,
+    debug: o.Debug = False,
+) -> None:
+    """Make everything from a text: the sound of a voice that breathes, and the curves that move a character with it.
+
+    Makes mix.wav, score.json, speech/, curves.csv, curves.json, groups.csv, timeline.png and preview.html in DIR.
+
+    Of several inputs, each goes into DIR/NAME; one that fails does not stop the others.
+    """
+    options = CompileOptions(
+        voice=voice, model=model, preset=preset, assignments=tuple(assign or ()), seed=seed, language=language,
+        poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
+    )  # fmt: skip
+    with reporting(lambda: printers.make(json_lines), debug=debug) as printer:
+        from pathlib import Path
+
+        from scorebreath.errors import InputError
+        from scorebreath_cli.inputs import names_of
+        from scorebreath_cli.making import Compiler
+        from scorebreath_cli.outputs import STANDARD
+        from scorebreath_cli.rendering import Renderer, SoundOptions
+
+        sound = SoundOptions.checked(engine=engine, rate=rate, fps=fps)
+        with Compiler(options, printer) as compiler:
+            renderer = Renderer(compiler, sound, printer)
+            if output == STANDARD:
+                if len(inputs) > 1 or json_lines:
+                    raise InputError("-o -: takes one input and no --json, as stdout takes the sound alone")
+                renderer.to_stdout(inputs[0])
+            elif len(inputs) == 1:
+                renderer.into(inputs[0], Path(output), force=force)
+                printer.done(Status.DONE)
+            else:
+                folders = [Path(output) / name for name in names_of(inputs)]
+                _several(renderer, list(zip(inputs, folders, strict=True)), printer, force=force, debug=debug)
+
+
+def _several(renderer: Renderer, jobs: list[tuple[str, Path]], printer: Printer, *, force: bool, debug: bool) -> None:
+    """Each in turn; one that fails is told and does not stop the others."""
+    from scorebreath_cli.failures import failure_of, worst
+
+    statuses: list[Status] = []
+    for given, folder in jobs:
+        try:
+            renderer.into(given, folder, force=force)
+            statuses.append(Status.DONE)
+        except BrokenPipeError:
+            raise
+        except Exception as error:
+            failure = failure_of(error, debug=debug)
+            printer.failed(failure, given)
+            statuses.append(failure.status)
+    failed = [given for (given, _), status in zip(jobs, statuses, strict=True) if status != Status.DONE]
+    made = len(jobs) - len(failed)
+    said = f"{made} of {len(jobs)} rendered" + (f"; failed: {', '.join(failed)}" if failed else "")
+    printer.done(worst(statuses), said, rendered=made, failed=failed)
+    if failed:
+        raise typer.Exit(worst(statuses))
