@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from types import TracebackType
+from typing import Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,8 +93,27 @@ class Voice(Protocol):
             VoiceError: It crashed twice, or missed its deadline twice.
         """
 
+    def speak_all(self, requests: Iterable[SpeechRequest]) -> Iterator[Speech]:
+        """Speak one group after the other; equal to `speak` for each.
+
+        A voice may take a few requests ahead of what it gives, so that its worker is busy while the caller is.
+
+        Raises:
+            VoiceError: As `speak`.
+        """
+        for request in requests:
+            yield self.speak(request)
+
     def syllables(self, words: Sequence[str]) -> Sequence[int]:
         """Syllables of each bare word, at least 1 for one with a letter in it: a `SyllableCounter`."""
 
     def close(self) -> None:
         """End what runs in the background."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()

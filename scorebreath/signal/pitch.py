@@ -1,0 +1,84 @@
+"""Fundamental frequency of a voice, by Praat's autocorrelation (through parselmouth)."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scorebreath.errors import MissingExtraError
+
+STEP = 0.005
+"""s between two values"""
+FLOOR = 75.0
+"""Hz, Praat's own default"""
+CEILING = 600.0
+"""Hz, Praat's own default"""
+PERIODS = 3
+"""Praat's window holds this many periods of the floor."""
+
+
+def pitch_hertz(
+    samples: NDArray[Any],
+    sample_rate: float,
+    step: float = STEP,
+    floor: float = FLOOR,
+    ceiling: float = CEILING,
+) -> NDArray[np.float64]:
+    """Fundamental frequency on a regular grid.
+
+    Praat centres its frames in the sound and leaves half a window free at both ends. Silence is put around the
+    sound so that its frames fall on the grid itself: nothing is interpolated.
+
+    Args:
+        samples: (n,) floats.
+        sample_rate: Hz.
+        step: s.
+        floor: Hz; nothing below is found.
+        ceiling: Hz; nothing above is found.
+
+    Returns:
+        (ceil(n / rate / step),) Hz to a hundredth, the first at half a step; 0 where unvoiced.
+
+    Raises:
+        MissingExtraError: parselmouth is not installed.
+    """
+    try:
+        import parselmouth
+    except ImportError as error:
+        raise MissingExtraError("parselmouth", "all") from error
+
+    count = math.ceil(round(len(samples) / sample_rate / step, 6))
+    if count == 0:
+        return np.zeros(0, dtype=np.float64)
+    # count steps, and on each side half a window less a quarter step, hold exactly count frames
+    before = round((PERIODS / floor - step / 2) / 2 * sample_rate)
+    whole = round((PERIODS / floor - step / 2 + count * step) * sample_rate)
+    padded = np.zeros(max(whole, before + len(samples)), dtype=np.float64)
+    padded[before : before + len(samples)] = samples
+    found = parselmouth.Sound(padded, sample_rate).to_pitch(step, floor, ceiling)
+    return on_grid(found.xs() - before / sample_rate, found.selected_array["frequency"], count, step)
+
+
+def on_grid(times: NDArray[Any], hertz: NDArray[Any], count: int, step: float) -> NDArray[np.float64]:
+    """The value nearest to each half-step point, 0 where none is within half a step.
+
+    Args:
+        times: (m,) s, ascending.
+        hertz: (m,) Hz.
+        count: Points wanted.
+        step: s.
+
+    Returns:
+        (count,) Hz, to a hundredth.
+
+    >>> on_grid(np.array([0.0076, 0.0126]), np.array([100.004, 0.0]), 3, 0.005).tolist()
+    [0.0, 100.0, 0.0]
+    """
+    out = np.zeros(count, dtype=np.float64)
+    place = np.floor(np.asarray(times) / step).astype(np.int64)
+    inside = (place >= 0) & (place < count)
+    out[place[inside]] = np.round(np.asarray(hertz, dtype=np.float64)[inside], 2)
+    return out

@@ -1,0 +1,191 @@
+"""The eSpeak NG voice: requests to its worker, and what comes back made into `Speech`."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import asdict
+from functools import cached_property
+
+from scorebreath.errors import VoiceError
+from scorebreath.signal.level import active_db
+from scorebreath.signal.pitch import CEILING, FLOOR
+from scorebreath.speech.espeak.catalogue import Catalogue, catalogue
+from scorebreath.speech.espeak.library import SAMPLE_RATE, Library
+from scorebreath.speech.espeak.prosody import settings
+from scorebreath.speech.espeak.syllables import nuclei
+from scorebreath.speech.espeak.text import Said, prepare
+from scorebreath.speech.espeak.utterance import samples_of, utterance
+from scorebreath.speech.model import Speech, SpeechRequest, Voice, VoiceDetails
+from scorebreath.speech.process import module_command
+from scorebreath.speech.worker import Worker
+
+DEADLINE = 30.0
+"""s for any answer; the worker's start is part of the first one's"""
+DEADLINE_PER_CHARACTER = 0.02
+"""s more for each character; it takes about 0.0003"""
+AHEAD = 2
+"""requests the worker has before it while `speak_all` waits for one"""
+WORDS_AT_ONCE = 1000
+"""in one request for syllables"""
+CALIBRATION = {
+    "de": "Der alte Fährmann ruderte langsam über den Fluss, und die Kinder winkten ihm vom Ufer aus nach.",
+    "en": "The old ferryman rowed slowly over the river, and the children waved to him from the bank.",
+}
+"""Language: what its voices' level is measured on."""
+CALIBRATION_ELSEWHERE = "1 2 3 4 5 6 7 8 9 10, 20 30 40 50 60 70 80 90 100."
+"""In other languages; figures are read in all of them."""
+
+
+def installed() -> Library:
+    """The library that espeakng-loader carries.
+
+    Raises:
+        VoiceError: It is not there.
+    """
+    try:
+        import espeakng_loader
+
+        return Library(path=espeakng_loader.get_library_path(), data=espeakng_loader.get_data_path())
+    except (ImportError, RuntimeError) as error:
+        raise VoiceError(f"eSpeak NG is not installed ({error}): pip install espeakng-loader") from error
+
+
+class EspeakVoice(Voice):
+    """A language and variant of eSpeak NG, in a worker process of its own. Safe to use from several threads.
+
+    A text in which there is nothing to say, for this voice, gives `assemble.SILENCE` seconds of pause.
+    """
+
+    def __init__(self, language: str, variant: str = "", *, name: str = "", command: Sequence[str] = ()) -> None:
+        """Choose it; the worker is started by `start` or the first request.
+
+        Args:
+            language: Code, e.g. `en-us`; `en` is American.
+            variant: e.g. `f3`; may be empty.
+            name: What it was asked for by.
+            command: Instead of its worker's.
+
+        Raises:
+            InputError: There is no such language or variant.
+            VoiceError: eSpeak NG is not installed.
+        """
+        self._library = installed()
+        self._chosen = known().choose(language, variant)
+        self._name = name or f"espeak:{self._chosen.name}"
+        command = command or module_command("scorebreath.speech.espeak.worker", self._library.path, self._library.data)
+        self._worker = Worker(command, self._name)
+        self._own = settings(self._chosen)
+        self._counts: dict[str, int] = {}
+
+    @cached_property
+    def details(self) -> VoiceDetails:
+        """What it is."""
+        codes = [code for code, _ in self._chosen.language.codes]
+        return describe(self._name, codes, self._library.version())
+
+    @cached_property
+    def reference_db(self) -> float:
+        """Active RMS of the language's calibration sentence, dB re full scale."""
+        language = self._chosen.language.code.partition("-")[0]
+        text = CALIBRATION.get(language, CALIBRATION_ELSEWHERE)
+        asked = {"do": "speak", "text": text, "settings": asdict(self._own), "pitch": None}
+        answer = self._worker.receive(self._worker.send(asked, deadline=DEADLINE))
+        return active_db(samples_of(answer), SAMPLE_RATE)
+
+    @property
+    def pid(self) -> int | None:
+        """Process id of the live worker, or None."""
+        return self._worker.pid
+
+    def start(self) -> None:
+        """Start the worker, so that it is ready sooner."""
+        self._worker.start()
+
+    def close(self) -> None:
+        """End the worker."""
+        self._worker.close()
+
+    def speak(self, request: SpeechRequest) -> Speech:
+        """Speak one breath group."""
+        return next(self.speak_all((request,)))
+
+    def speak_all(self, requests: Iterable[SpeechRequest]) -> Iterator[Speech]:
+        """Speak one group after the other; the worker is `AHEAD` requests ahead of what is given."""
+        asked: deque[tuple[SpeechRequest, Said, int]] = deque()
+        try:
+            for request in requests:
+                asked.append(self._ask(request))
+                if len(asked) > AHEAD:
+                    yield self._take(*asked.popleft())
+            while asked:
+                yield self._take(*asked.popleft())
+        finally:
+            for _, _, ticket in asked:
+                self._worker.forget(ticket)
+
+    def syllables(self, words: Sequence[str]) -> Sequence[int]:
+        """Vowels, diphthongs and syllabic consonants of each word as it is spoken alone; kept for the next time."""
+        new = [word for word in dict.fromkeys(words) if word not in self._counts]
+        for first in range(0, len(new), WORDS_AT_ONCE):
+            some = new[first : first + WORDS_AT_ONCE]
+            said = [prepare(word, "final").text[:-1] for word in some]
+            asked = {"do": "phonemes", "words": said, "settings": asdict(self._own)}
+            deadline = DEADLINE + DEADLINE_PER_CHARACTER * sum(map(len, said))
+            found = self._worker.receive(self._worker.send(asked, deadline=deadline)).fields["phonemes"]
+            for word, phonemes in zip(some, found, strict=True):
+                least = 1 if any(character.isalpha() for character in word) else 0
+                self._counts[word] = max(least, nuclei(phonemes, self._chosen.language.code))
+        return [self._counts[word] for word in words]
+
+    def _ask(self, request: SpeechRequest) -> tuple[SpeechRequest, Said, int]:
+        said = prepare(request.text.text, request.closing)
+        set_up = settings(
+            self._chosen, rate=request.rate, pitch=request.pitch, continuing=request.closing == "continuing"
+        )
+        asked = {
+            "do": "speak",
+            "text": said.text,
+            "settings": asdict(set_up),
+            "pitch": (FLOOR * min(1.0, request.pitch), CEILING * max(1.0, request.pitch)),
+        }
+        deadline = DEADLINE + DEADLINE_PER_CHARACTER * len(said.text)
+        return request, said, self._worker.send(asked, deadline=deadline)
+
+    def _take(self, request: SpeechRequest, said: Said, ticket: int) -> Speech:
+        return utterance(request.text, said, self._worker.receive(ticket))
+
+
+def known() -> Catalogue:
+    """All languages and variants.
+
+    Raises:
+        VoiceError: eSpeak NG is not installed.
+    """
+    return catalogue(installed().data)
+
+
+def describe(name: str, languages: Sequence[str], version: str) -> VoiceDetails:
+    """Details of a voice of this engine."""
+    return VoiceDetails(
+        engine="espeak-ng",
+        voice=name,
+        version=version,
+        licence="GPL-3.0-or-later",
+        provenance="formant synthesis by rule; no recordings of a speaker",
+        languages=tuple(dict.fromkeys(tag(code) for code in languages)),
+        sample_rate=SAMPLE_RATE,
+        deterministic=True,
+    )
+
+
+def tag(code: str) -> str:
+    """A language code with its region in capitals, as BCP 47 writes it.
+
+    >>> tag("en-us"), tag("vi-vn-x-south"), tag("de")
+    ('en-US', 'vi-VN-x-south', 'de')
+    """
+    first, *rest = code.split("-")
+    private = rest.index("x") if "x" in rest else len(rest)
+    shown = [part.upper() if len(part) == 2 and place < private else part for place, part in enumerate(rest)]
+    return "-".join((first, *shown))
