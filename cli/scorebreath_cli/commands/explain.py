@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from scorebreath_cli.inputs import Source
     from scorebreath_cli.making import Compiler
 
-SHOWN = 60
-"""Characters of a group shown to people."""
+SHOWN = 400
+"""Characters of a group shown to people: more than one breath holds, unless the text is no text."""
 
 
 def explain(

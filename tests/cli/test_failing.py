@@ -1,0 +1,300 @@
+"""What goes wrong: the status, one line, and nothing left behind."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from scorebreath_cli.failures import GRAVITY, Status, failure_of, worst
+
+from scorebreath import errors
+from tests.cli.running import ENVIRONMENT, PROGRAM, events, run, spawn
+
+HOSTILE: dict[str, tuple[bytes, int]] = {
+    "empty": (b"", 2),
+    "only a byte order mark": (b"\xef\xbb\xbf", 2),
+    "only white space": (b" \n\t\n", 2),
+    "only punctuation": (b"... !? -- ,;\n", 2),
+    "only marks": (b"_ . _ .", 2),
+    "invalid UTF-8": (b"caf\xe9 au lait", 2),
+    "a cut-off character": ("na\u00efve".encode()[:3], 2),
+    "NUL": (b"one\0two", 2),
+    "UTF-16": ("Hello.".encode("utf-16"), 2),
+    "a word of 10,000 characters": (b"a" * 10_000, 0),
+    "10,000 vowels and consonants": (b"ba" * 5_000 + b".", 0),
+    "control characters": (bytes(range(1, 32)) + b"Hello" + b"\x7f\x1b[31m there.", 0),
+    "emoji": ("Hello \U0001f600 there \U0001f468\u200d\U0001f469\u200d\U0001f467!".encode(), 0),
+    "only emoji": ("\U0001f600\U0001f600".encode(), 2),
+    "mixed scripts": ("Hello мир, 世界 and عالم.".encode(), 0),
+    "combining marks": (("Z" + "\u0351" * 200 + "algo speaks.").encode(), 0),
+    "one long line": (b"and so it went on " * 500, 0),
+    "markup": (b"<speak>Hello & goodbye</speak>", 0),
+    "a formula": (b"=1+1 is two. -5 degrees.", 0),
+    "line separators": ("One\u2028two\u2029three\x0bfour\x0cfive\x85six.".encode(), 0),
+    "right to left": ("\u202eHello\u202c there.".encode(), 0),
+}
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_text_is_spoken_or_refused_with_its_place(tmp_path: Path, name: str) -> None:
+    data, status = HOSTILE[name]
+    (tmp_path / "in.txt").write_bytes(data)
+    result = run("compile", tmp_path / "in.txt", "-o", tmp_path / "out" / "s.json", "--voice", "tone")
+    assert result.exit_code == status, result.stderr
+    assert "Traceback" not in result.stderr
+    assert (tmp_path / "out").exists() == (status == 0)
+    if status:
+        assert result.stderr.startswith(f"scorebreath: {tmp_path / 'in.txt'}")
+        assert "; expected " in result.stderr
+        assert len(result.stderr.splitlines()) in (1, 3)
+
+
+def test_a_bad_byte_gets_a_caret(tmp_path: Path) -> None:
+    (tmp_path / "in.txt").write_bytes("Voilà.\nUn caf".encode() + b"\xe9 noir\n")
+    result = run("explain", tmp_path / "in.txt")
+    first, shown, caret = result.stderr.splitlines()
+    assert first.startswith(f"scorebreath: {tmp_path / 'in.txt'}:2:7: ")
+    assert shown[caret.index("^")] == "\N{REPLACEMENT CHARACTER}"
+    (told,) = events(run("explain", tmp_path / "in.txt", "--json").stdout)
+    assert (told["event"], told["status"], told["line"], told["column"]) == ("error", 2, 2, 7)
+
+
+WRONG: dict[str, list[str]] = {
+    "model": ["--model", "freestyle"],
+    "voice": ["--voice", "nobody"],
+    "voice of no engine": ["--voice", "espeak:xx-nowhere"],
+    "language": ["--language", "tlh-nowhere"],
+    "preset": ["--preset", "formel-tts"],
+    "preset file": ["--preset", "missing.toml"],
+    "name": ["--set", "nosey=1"],
+    "value": ["--set", "nose_share=2"],
+    "assignment": ["--set", "nose_share"],
+    "seed": ["--seed", "-1"],
+    "seed's kind": ["--seed", "x"],
+    "lead": ["--lead", "-1"],
+    "tail": ["--tail", "nan"],
+    "engine": ["--engine", "organ"],
+    "rate": ["--rate", "7"],
+    "fps": ["--fps", "0"],
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_wrong_options_are_refused_in_a_line_that_names_the_value(tmp_path: Path, name: str) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    result = run("render", tmp_path / "in.txt", "-o", tmp_path / "out", *WRONG[name])
+    assert result.exit_code in ((2, 3) if name in ("voice of no engine", "language") else (2,)), result.stderr
+    said = WRONG[name][1].partition("=")[0]
+    assert said in result.stderr
+    assert "Traceback" not in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b'{"schema":"scorebreath.score/2"}', "scorebreath.score/2"),
+        (b'{"schema":"scorebreath.score/1"}', "Missing"),
+        (b'{"schema":', "broken JSON"),
+        (b'{"schema":"opentimelineio"}', "opentimelineio"),
+        (b"{}", "schema"),
+        (b'{"a":' * 100_000, "nested too deeply"),
+    ],
+)
+def test_a_broken_score_is_refused(tmp_path: Path, content: bytes, said: str) -> None:
+    (tmp_path / "s.json").write_bytes(content)
+    for command in (["curves"], ["explain"], ["render", "-o", str(tmp_path / "out")]):
+        result = run(*command, tmp_path / "s.json")
+        assert result.exit_code == 2
+        assert said.lower() in result.stderr.lower()
+        assert len(result.stderr.splitlines()) == 1
+
+
+def test_missing_media_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    assert run("compile", tmp_path / "in.txt", "-o", tmp_path / "s.json", "--voice", "tone").exit_code == 0
+    (sound,) = (tmp_path / "speech").iterdir()
+    sound.rename(tmp_path / "elsewhere.wav")
+    result = run("render", tmp_path / "s.json", "-o", tmp_path / "out")
+    assert result.exit_code == 2
+    assert sound.name[:12] in result.stderr
+    assert not (tmp_path / "out").exists()
+
+
+STATUSES: tuple[tuple[BaseException, Status], ...] = (
+    (errors.InputError("x"), Status.INPUT),
+    (errors.ParameterError("x"), Status.INPUT),
+    (errors.ScoreError("x"), Status.INPUT),
+    (errors.ScriptError("x"), Status.INPUT),
+    (errors.EnvironmentFailure("x"), Status.ENVIRONMENT),
+    (errors.EngineError("x", ["its words"]), Status.ENVIRONMENT),
+    (errors.VoiceError("x"), Status.ENVIRONMENT),
+    (errors.MissingExtraError("x", "y"), Status.ENVIRONMENT),
+    (errors.ScorebreathError("x"), Status.BUG),
+    (OSError(errno.ENOSPC, "No space left on device"), Status.ENVIRONMENT),
+    (PermissionError(errno.EACCES, "Permission denied", "f"), Status.ENVIRONMENT),
+    (MemoryError(), Status.ENVIRONMENT),
+    (BrokenPipeError(), Status.PIPE_CLOSED),
+    (KeyboardInterrupt(), Status.INTERRUPTED),
+    (ZeroDivisionError("x"), Status.BUG),
+    (RecursionError("x"), Status.BUG),
+)
+
+
+def test_every_error_of_ours_is_in_the_table() -> None:
+    ours = {kind for kind in vars(errors).values() if isinstance(kind, type) and issubclass(kind, Exception)}
+    assert ours <= {type(error) for error, _ in STATUSES}
+
+
+@pytest.mark.parametrize(("error", "status"), STATUSES, ids=lambda value: type(value).__name__)
+def test_every_kind_of_error_has_its_status(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: BaseException, status: Status
+) -> None:
+    from scorebreath import pipeline
+
+    def fail(*_: object, **__: object) -> None:
+        raise error
+
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    monkeypatch.setattr(pipeline, "compile_text", fail)
+    (tmp_path / "in.txt").write_text("Hello.")
+    result = run("render", tmp_path / "in.txt", "-o", tmp_path / "out", "--voice", "tone")
+    assert result.exit_code == status == failure_of(error).status
+    assert not (tmp_path / "out").exists()
+    assert "Traceback" not in result.stderr
+    if status == Status.PIPE_CLOSED:
+        assert result.stderr == ""
+    elif not isinstance(error, errors.EngineError):
+        assert len(result.stderr.splitlines()) == 1
+
+
+def test_a_bug_asks_for_a_report(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from scorebreath.parameters import presets
+
+    monkeypatch.setattr(presets, "names", lambda: 1 / 0)
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    result = run("presets")
+    assert result.exit_code == 1
+    (line,) = result.stderr.splitlines()
+    assert "bug" in line
+    assert "ZeroDivisionError" in line
+    (saved,) = tmp_path.iterdir()
+    assert line.endswith(str(saved))
+    assert "Traceback" in saved.read_text()
+    assert "Traceback" in run("presets", "--debug").stderr
+
+
+def test_the_worst_status_wins() -> None:
+    assert set(GRAVITY) == set(Status)
+    assert worst([]) == Status.DONE
+    assert worst([Status.DONE, Status.INPUT, Status.ENVIRONMENT]) == Status.ENVIRONMENT
+    assert worst([Status.BUG, Status.ENVIRONMENT]) == Status.BUG
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="nothing is forbidden to root")
+def test_what_may_not_be_read_or_written_is_the_environments(tmp_path: Path) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    (tmp_path / "in.txt").chmod(0)
+    assert run("render", tmp_path / "in.txt", "-o", tmp_path / "out", "--voice", "tone").exit_code == 3
+
+
+def test_an_output_that_cannot_be_is_the_environments(tmp_path: Path) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    result = run("render", tmp_path / "in.txt", "-o", "/proc/nowhere/out", "--voice", "tone")
+    assert result.exit_code == 3
+    assert result.stderr.startswith("scorebreath: /proc/nowhere")
+
+
+@pytest.mark.parametrize("fails", ["timeline.png", "curves.csv", "preview.html", "mix.wav"])
+def test_a_failure_at_any_file_leaves_what_was_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fails: str
+) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    place = {
+        "timeline.png": "scorebreath.report.timeline.write_timeline",
+        "curves.csv": "scorebreath.formats.curves_csv.write",
+        "preview.html": "scorebreath.report.preview.write_preview",
+        "mix.wav": "scorebreath.engine.offline.write_wave",
+    }
+    monkeypatch.setattr(place[fails], full)
+    (tmp_path / "in.txt").write_text("Hello.")
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "mix.wav").write_text("old")
+    (out / "mine.txt").write_text("mine")
+    result = run("render", tmp_path / "in.txt", "-o", out, "--voice", "tone", "--force")
+    assert result.exit_code == 3
+    assert "No space left" in result.stderr
+    assert {p.name: p.read_text() for p in out.iterdir()} == {"mix.wav": "old", "mine.txt": "mine"}
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["in.txt", "out"]
+
+
+def children(pid: int) -> list[int]:
+    found = []
+    for task in Path(f"/proc/{pid}/task").iterdir():
+        found += [int(word) for word in (task / "children").read_text().split()]
+    return found + [grand for child in found for grand in children(child)]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="looks for child processes in /proc")
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+@pytest.mark.parametrize(("moment", "voice"), [("started", "espeak"), ("speak", "espeak"), ("engine", "tone")])
+def test_an_interrupt_leaves_nothing(tmp_path: Path, number: int, status: int, moment: str, voice: str) -> None:
+    (tmp_path / "in.txt").write_text("This goes on and on, and on and on, for quite a while. " * 300)
+    line = [*PROGRAM, "render", "in.txt", "-o", "out", "--json", "--voice", voice]
+    with subprocess.Popen(
+        line, cwd=tmp_path, env={**ENVIRONMENT, "TMPDIR": str(tmp_path)}, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdout
+        for told in process.stdout:
+            event = json.loads(told)
+            if moment in (event["event"], event.get("stage")) and event.get("fraction") != 0:
+                break
+        started = children(process.pid)
+        os.kill(process.pid, number)
+        _, said = process.communicate(timeout=30)
+    assert process.returncode == status
+    assert b"Traceback" not in said
+    assert [path.name for path in tmp_path.iterdir()] == ["in.txt"]
+    deadline = time.monotonic() + 10
+    while alive := [pid for pid in started if Path(f"/proc/{pid}").exists()]:
+        assert time.monotonic() < deadline, alive
+        time.sleep(0.05)
+
+
+def test_a_reader_that_leaves_is_nobodys_error(tmp_path: Path) -> None:
+    (tmp_path / "in.txt").write_text("Hello there. " * 50)
+    with subprocess.Popen(
+        [*PROGRAM, "compile", "in.txt", "--voice", "tone"],
+        cwd=tmp_path, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    ) as process:  # fmt: skip
+        assert process.stdout
+        assert process.stderr
+        process.stdout.close()
+        assert process.wait(60) == 141
+        assert process.stderr.read() == b""
+
+
+def test_json_and_data_do_not_share_stdout() -> None:
+    for command in (["compile", "-"], ["curves", "-"]):
+        result: Any = run(*command, "--json", text="Hello.")
+        assert result.exit_code == 2
+        assert "-o FILE" in result.stdout
+        assert events(result.stdout)[0]["event"] == "error"
+
+
+def test_no_terminal_no_colours(tmp_path: Path) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    result = spawn("render", tmp_path / "in.txt", "-o", tmp_path / "out", "--voice", "tone")
+    assert (result.returncode, result.stderr) == (0, b"")
+    assert b"\x1b" not in result.stdout
