@@ -1,0 +1,133 @@
+"""Where a breath may fall, and how readily: boundaries by their punctuation, or by the function word that follows."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from functools import cache
+from importlib.resources import files
+from math import log
+from typing import NamedTuple
+
+from scorebreath.planning.chunker import SITES
+from scorebreath.planning.units import Unit
+from scorebreath.score.document import Site
+
+READINESS: dict[Site, float] = {
+    "paragraph": 1.0,
+    "sentence": 0.95,
+    "semicolon": 0.75,
+    "comma": 0.35,
+    "line": 0.50,
+    "marker": 0.90,
+    "clause": 0.25,
+    "phrase": 0.05,
+    "word": 0.01,
+}
+"""How probable a breath is at each kind of boundary once most of the budget is used."""
+COMMA_CLAUSE = 0.45
+"""The same at a comma before a word that opens a clause."""
+CLINGING = 0.0005
+"""The same after a function word, which belongs to what follows: "the | house"."""
+JOINED = 1e-9
+"""The same inside a chain of joined words that is longer than a breath."""
+
+
+class Boundary(NamedTuple):
+    """What follows a unit."""
+
+    site: Site
+    breathing: float
+    """cost of a breath there: -ln P"""
+    passing: float
+    """cost of going on: -ln (1 - P)"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FunctionWords:
+    """A language's small words, lower case, as far as an apostrophe. Without any, only punctuation counts."""
+
+    clause: frozenset[str] = frozenset()
+    """open a clause"""
+    coordinators: frozenset[str] = frozenset()
+    """open one unless they join a single word: "bread and butter," """
+    before_subject: frozenset[str] = frozenset()
+    """open one before a subject ("after he left"), a phrase otherwise ("after lunch")"""
+    subjects: frozenset[str] = frozenset()
+    """pronouns that show a clause"""
+    phrase: frozenset[str] = frozenset()
+    """open a phrase: prepositions, articles, possessives"""
+    clinging: frozenset[str] = frozenset()
+    """others that are not parted from what follows: auxiliaries, negations"""
+
+    def cling(self, word: str) -> bool:
+        """Whether `word` belongs to what follows it."""
+        return any(word in getattr(self, field.name) for field in fields(self))
+
+
+@cache
+def function_words(language: str) -> FunctionWords:
+    """The table of a language (`tables/<language>.toml`); an empty one if there is none.
+
+    >>> "because" in function_words("en").clause, function_words("xx").clause
+    (True, frozenset())
+    """
+    table = files("scorebreath.planning").joinpath("tables", f"{language.split('-', maxsplit=1)[0].lower()}.toml")
+    if not table.is_file():
+        return FunctionWords()
+    rows = tomllib.loads(table.read_text(encoding="utf-8"))
+    return FunctionWords(**{name: frozenset(" ".join(lines).split()) for name, lines in rows.items()})
+
+
+LOOK_AHEAD = 2
+"""Units after a boundary that can change what it is."""
+
+
+def boundary(units: Sequence[Unit], index: int, small: FunctionWords) -> Boundary:
+    """What follows `units[index]`; units beyond the end of `units` are taken not to exist."""
+    unit = units[index]
+    if unit.edge == "joint":
+        return _boundary("word", JOINED)
+    site = SITES[unit.edge]
+    if "_" in unit.written[unit.letters.end - unit.start :] and READINESS[site] < READINESS["marker"]:
+        site = "marker"
+    if site not in ("comma", "word") or index + 1 >= len(units):
+        return _boundary(site, READINESS[site])
+    if site == "comma":
+        return _boundary(site, COMMA_CLAUSE if _opens(units, index + 1, small) == "clause" else READINESS[site])
+    if small.cling(_last(unit)):
+        return _boundary(site, CLINGING)
+    site = _opens(units, index + 1, small)
+    return _boundary(site, READINESS[site])
+
+
+def _opens(units: Sequence[Unit], index: int, small: FunctionWords) -> Site:
+    """What the unit at `index` opens, after a word that is no function word."""
+    word = _first(units[index])
+    if word in small.clause:
+        return "clause"
+    following = units[index + 1] if units[index].edge == "word" and index + 1 < len(units) else None
+    if word in small.coordinators:
+        return "clause" if following and following.edge == "word" else "phrase"
+    if word in small.before_subject:
+        return "clause" if following and _first(following) in small.subjects else "phrase"
+    return "phrase" if word in small.phrase else "word"
+
+
+@cache
+def _boundary(site: Site, probability: float) -> Boundary:
+    return Boundary(site, -log(probability), -log(1.0 - probability) if probability < 1.0 else 0.0)
+
+
+def _first(unit: Unit) -> str:
+    return _stem(unit.words[0].text)
+
+
+def _last(unit: Unit) -> str:
+    return _stem(unit.words[-1].text)
+
+
+def _stem(word: str) -> str:
+    """Lower case, as far as an apostrophe: "He's" is "he"."""
+    return word.lower().replace("\N{RIGHT SINGLE QUOTATION MARK}", "'").split("'")[0]

@@ -1,0 +1,133 @@
+"""Units: what no breath divides. A word as a rule; the parts of a compound together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from scorebreath.planning.model import SyllableCounter
+from scorebreath.script.model import Edge, ScriptWord, Sentence, SentenceType
+from scorebreath.spans import Span
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Unit:
+    """One word, or several that are joined (`joint` edges inside)."""
+
+    words: tuple[ScriptWord, ...]
+    syllables: int
+    """at least 1: whatever is said takes time"""
+    written: str
+    """as written, up to where the next unit begins"""
+    start: int
+    """code points of the text"""
+    end: int
+    """after its last mark: where a group that ends with it ends"""
+    letters: Span
+    """from its first letter to its last: what stands outside is punctuation"""
+    edge: Edge
+    """what follows it; `joint` only where a chain of joined words is longer than a breath"""
+    sentence_type: SentenceType
+    closes: bool
+    """whether a sentence ends with it"""
+
+    @property
+    def frontier(self) -> int:
+        """Where the next unit begins, or will begin."""
+        return self.start + len(self.written)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Part:
+    """A word on its way into a unit."""
+
+    word: ScriptWord
+    syllables: int
+    written: str
+    sentence: Sentence
+
+
+class UnitReader:
+    """Sentences to units, as they come.
+
+    Args:
+        count: Counts syllables; asked once a sentence, and once for each word.
+        longest: Syllables one breath can hold: a chain of joined words is divided only beyond this.
+    """
+
+    def __init__(self, count: SyllableCounter, longest: int) -> None:
+        """Start with nothing read."""
+        self._count = Remembering(count)
+        self._longest = longest
+        self._chain: list[_Part] = []
+        self._syllables = 0
+
+    def read(self, sentence: Sentence) -> Iterator[Unit]:
+        """Units that are complete once `sentence` is known: all, unless it ends inside a word."""
+        for part in self._parts(sentence):
+            if self._chain and self._syllables + part.syllables > self._longest:
+                yield self._close()
+            self._chain.append(part)
+            self._syllables += part.syllables
+            if part.word.edge != "joint":
+                yield self._close()
+
+    def rest(self) -> Iterator[Unit]:
+        """The text is over: the unit that still waited for its other half."""
+        if self._chain:
+            yield self._close()
+
+    def _parts(self, sentence: Sentence) -> Iterator[_Part]:
+        counts = iter(self._count([spoken for word in sentence.words for spoken in word.words]))
+        origin = sentence.source.start
+        for word, after in zip(sentence.words, (*sentence.words[1:], None), strict=True):
+            stop = None if after is None else after.source.start - origin
+            written = sentence.text[word.source.start - origin : stop] + ("" if after else sentence.gap)
+            syllables = sum(next(counts) for _ in word.words)
+            yield _Part(word=word, syllables=syllables, written=written, sentence=sentence)
+
+    def _close(self) -> Unit:
+        chain, self._chain, syllables, self._syllables = self._chain, [], self._syllables, 0
+        first, last = chain[0], chain[-1]
+        written = "".join(part.written for part in chain)
+        start, edge = first.word.source.start, last.word.edge
+        return Unit(
+            words=tuple(part.word for part in chain),
+            syllables=max(1, syllables),
+            written=written,
+            start=start,
+            end=max(start + len(written.rstrip()), last.word.source.end),
+            letters=Span(_letters(first).start, _letters(last).end),
+            edge=edge,
+            sentence_type=last.sentence.type,
+            closes=edge in ("sentence", "paragraph") and last.sentence.complete,
+        )
+
+
+class Remembering:
+    """A syllable counter that asks only for words it has not met, all at once: counters may sit in other processes."""
+
+    LIMIT = 50_000
+    """words remembered; then it starts anew, so that memory stays bounded"""
+
+    def __init__(self, count: SyllableCounter) -> None:
+        """Remember nothing yet."""
+        self._count = count
+        self._known: dict[str, int] = {}
+
+    def __call__(self, words: Sequence[str]) -> list[int]:
+        """Syllables of each word."""
+        if len(self._known) > self.LIMIT:
+            self._known.clear()
+        if new := [word for word in dict.fromkeys(words) if word not in self._known]:
+            self._known.update(zip(new, self._count(new), strict=True))
+        return [self._known[word] for word in words]
+
+
+def _letters(part: _Part) -> Span:
+    """The bare word's place in the text: the written word less the punctuation that hangs on it."""
+    word = part.word
+    inside = part.written[: word.source.length].find(word.text) if word.text else -1
+    if inside < 0:
+        return word.source
+    return Span(word.source.start + inside, word.source.start + inside + len(word.text))
