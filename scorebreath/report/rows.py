@@ -1,0 +1,105 @@
+"""Where things go in the timeline: rows of time, and words that do not overprint each other."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from scorebreath.score.document import Group, Score
+from scorebreath.score.events import Inspiration, Utterance
+
+
+class Row(NamedTuple):
+    """A stretch of time drawn in one line."""
+
+    start: float
+    """s"""
+    end: float
+    """s"""
+
+
+def wrap(duration: float, limits: Sequence[float], longest: float, most: int) -> tuple[Row, ...]:
+    """Rows like lines of text: broken before a breath where one begins in a row's second half.
+
+    Args:
+        duration: Of the Score, s.
+        limits: Where breath groups begin, ascending, s.
+        longest: Of a row, s.
+        most: Rows at most; the rest of the time is left out.
+
+    >>> wrap(25.0, [0.1, 4.0, 8.0, 13.0], 10.0, 9)
+    (Row(start=0.0, end=8.0), Row(start=8.0, end=18.0), Row(start=18.0, end=25.0))
+    """
+    rows: list[Row] = []
+    start = 0.0
+    while len(rows) < most and (start < duration or not rows):
+        end = min(start + longest, duration)
+        if end < duration:
+            before = bisect_right(limits, end)
+            if before and limits[before - 1] > start + longest / 2:
+                end = limits[before - 1]
+        rows.append(Row(start, end))
+        start = end
+    return tuple(rows)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Breath:
+    """A breath group as the timeline shows it."""
+
+    onset: float
+    """s; of its inspiration, or of its speech where it has none"""
+    end: float
+    """s; of the last phone (B52)"""
+    inspired: float
+    """s; end of the inspiration, or `onset`"""
+    group: Group
+
+
+def breaths(score: Score, body: str) -> tuple[Breath, ...]:
+    """The breath groups of one body that have a time, in order of time."""
+    inspirations: dict[str | None, Inspiration] = {}
+    utterances: dict[str | None, Utterance] = {}
+    for inspiration in score.of(Inspiration, body):
+        inspirations.setdefault(inspiration.group, inspiration)
+    for utterance in score.of(Utterance, body):
+        utterances.setdefault(utterance.group, utterance)
+    found: list[Breath] = []
+    for group in score.groups:
+        breath, speech = inspirations.get(group.id), utterances.get(group.id)
+        first, last = breath or speech, speech or breath
+        if first is not None and last is not None and group.body == body:
+            inspired = breath.end if breath else first.onset
+            found.append(Breath(onset=first.onset, end=last.end, inspired=inspired, group=group))
+    return tuple(sorted(found, key=lambda each: each.onset))
+
+
+class Label(NamedTuple):
+    """A word in its place."""
+
+    text: str
+    x: float
+    line: int
+
+
+def place(words: Sequence[tuple[str, float]], em: float, lines: int) -> list[Label]:
+    """Put each word at its onset, in the first of some lines where there is room, else in the emptiest.
+
+    Args:
+        words: Text and x of each, ascending x.
+        em: Width of the letter m, in the unit of x.
+        lines: How many lines there are.
+
+    >>> [label.line for label in place([("one", 0.0), ("and", 10.0), ("two", 60.0)], 20.0, 2)]
+    [0, 1, 0]
+    """
+    free = [float("-inf")] * lines
+    labels: list[Label] = []
+    for text, x in words:
+        roomy = [line for line in range(lines) if free[line] <= x]
+        line = roomy[0] if roomy else free.index(min(free))
+        free[line] = x + (len(text) * 0.56 + 0.3) * em
+        labels.append(Label(text, x, line))
+    return labels

@@ -1,0 +1,84 @@
+"""A sheet of paper measured in pixels: areas, lines and words, drawn by matplotlib in few strokes."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+DPI = 100
+FONTS = ("DejaVu Sans", "Noto Sans CJK SC", "Noto Sans CJK JP", "WenQuanYi Zen Hei", "Noto Sans Arabic", "Noto Emoji")
+"""The first is matplotlib's own; the others are used for what it lacks, where they are installed."""
+
+Points = NDArray[np.float64]
+Dashes = tuple[float, ...]
+
+
+class Sheet:
+    """What is drawn is kept by look and painted at the end: matplotlib charges by the artist, not by the line."""
+
+    def __init__(self, width: int, height: int, paper: str) -> None:
+        """An empty sheet; x runs right and y down from the top left corner."""
+        self.width, self.height, self.paper = width, height, paper
+        self._areas: dict[tuple[int, str], list[Points]] = {}
+        self._lines: dict[tuple[int, str, float, Dashes], list[Points]] = {}
+        self._texts: list[dict[str, Any]] = []
+
+    def area(self, x: ArrayLike, upper: ArrayLike, lower: ArrayLike, color: str, *, layer: int = 0) -> None:
+        """Fill between two curves; numbers stand for level ones."""
+        across = np.asarray(x, dtype=np.float64)
+        tops, bottoms = np.broadcast_to(upper, across.shape), np.broadcast_to(lower, across.shape)
+        corners = np.column_stack((np.append(across, across[::-1]), np.append(tops, bottoms[::-1])))
+        self._areas.setdefault((layer, color), []).append(corners)
+
+    def line(
+        self, x: ArrayLike, y: ArrayLike, color: str, width: float, *, dashes: Dashes = (), layer: int = 1
+    ) -> None:
+        """A curve, `width` in pixels."""
+        points = np.column_stack(np.broadcast_arrays(np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)))
+        self._lines.setdefault((layer, color, width, dashes), []).append(points)
+
+    def text(
+        self, x: float, y: float, text: str, size: float, color: str, *, align: str = "left", weight: str = "normal"
+    ) -> None:
+        """One line of text on the baseline `y`, `size` in pixels; never taken for mathematics."""
+        shown = "".join(c if c.isprintable() else " " for c in text)
+        self._texts.append(
+            {"x": x, "y": y, "s": shown, "fontsize": size * 72 / DPI, "color": color, "ha": align, "weight": weight}
+        )
+
+    def png(self, stream: BinaryIO) -> None:
+        """Paint it all; layers in order, within a layer areas before lines, texts last."""
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.collections import LineCollection, PolyCollection
+        from matplotlib.figure import Figure
+        from PIL import Image
+
+        figure = Figure(figsize=(self.width / DPI, self.height / DPI), dpi=DPI, facecolor=self.paper)
+        axes = figure.add_axes((0, 0, 1, 1), xlim=(0, self.width), ylim=(self.height, 0), autoscale_on=False)
+        axes.set_axis_off()
+        point = 72 / DPI
+        for (layer, color), polygons in self._areas.items():
+            axes.add_collection(PolyCollection(polygons, facecolor=color, linewidth=0, zorder=2 * layer), autolim=False)
+        for (layer, color, width, dashes), lines in self._lines.items():
+            style = (0, dashes) if dashes else "solid"
+            stroke = {"linewidth": width * point, "linestyle": style, "joinstyle": "round", "capstyle": "butt"}
+            axes.add_collection(LineCollection(lines, color=color, zorder=2 * layer + 1, **stroke), autolim=False)
+        fonts = _fonts()
+        for text in self._texts:
+            axes.text(**text, family=fonts, va="baseline", parse_math=False, zorder=99)
+        canvas: Any = FigureCanvasAgg(figure)
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message=".*Glyph .* missing from")  # no font has every script
+            canvas.draw()
+        Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3]).save(stream, "png", compress_level=3)
+
+
+def _fonts() -> Sequence[str]:
+    from matplotlib.font_manager import fontManager
+
+    installed = {font.name for font in fontManager.ttflist}
+    return [name for name in FONTS if name in installed]

@@ -1,0 +1,205 @@
+"""`timeline.png`: the papers' Figure 4 for one Score: lung volume, speech and breath sound, words, group limits (B14).
+
+Time runs in rows, most of them begun with a breath. A long Score shows its first rows in detail and all of itself in a
+strip on top, so that a picture takes about as long to draw whatever the text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import BinaryIO
+
+import numpy as np
+
+from scorebreath.curves.curve_set import CurveSet
+from scorebreath.report.rows import Breath, Row, breaths, place, wrap
+from scorebreath.report.sheet import Points, Sheet
+from scorebreath.score.document import Score
+from scorebreath.score.events import Utterance
+
+MOST_ROWS, ROW_SECONDS, SHORTEST_ROW = 10, 15.0, 5.0
+WIDTH, LEFT, RIGHT = 2400, 130, 60
+HEADER, STRIP, ROW = 140, 160, 400
+"""pixels"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Band:
+    """A horizontal part of a row, from the value at its bottom to the value at its top."""
+
+    top: float
+    """pixels from the row's top"""
+    bottom: float
+    low: float
+    high: float
+
+    def y(self, value: Points | float) -> Points:
+        """Pixels from the row's top; values beyond the band stay at its edge."""
+        share = (np.clip(value, self.low, self.high) - self.low) / (self.high - self.low)
+        return np.asarray(self.bottom - share * (self.bottom - self.top), dtype=np.float64)
+
+
+SOUND = Band(top=214, bottom=304, low=-50.0, high=8.0)
+"""dB relative to the voice's reference"""
+LUNG_TOP, LUNG_BOTTOM, STRIP_TOP, STRIP_BOTTOM = 56, 196, 10, 100
+LABEL, WORDS, WORD_LINE, WORD_SIZE = 38, 352, 25, 19
+
+INK, FAINT, HAIR, PAPER, DETAIL = "#1b2430", "#66717e", "#d9dee4", "#ffffff", "#f1f4f8"
+FILL, INSPIRED = "#e6ebf1", "#c9e0f2"
+SPEECH, BREATH = "#3b8fc4", "#d55e00"
+"""A blue and the vermilion of Okabe and Ito's palette: no colour vision mistakes one for the other."""
+LEGEND = (("breath sound", BREATH), ("speech sound", SPEECH), ("breathing in", INSPIRED), ("lung volume", INK))
+
+
+def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
+    """Draw a Score as PNG, 2400 pixels wide and at most 4300 high.
+
+    Args:
+        stream: Takes bytes.
+        score: Any Score.
+        curve_set: The curves of the body to be drawn.
+    """
+    groups = breaths(score, curve_set.body)
+    longest = min(ROW_SECONDS, max(SHORTEST_ROW, score.duration))
+    rows = wrap(score.duration, [group.onset for group in groups], longest, MOST_ROWS)
+    top = HEADER + (STRIP if len(rows) > 1 else 0)
+    sheet = Sheet(WIDTH, top + ROW * len(rows), PAPER)
+    _header(sheet, score, curve_set, groups, rows)
+    if len(rows) > 1:
+        _strip(sheet, curve_set, rows)
+    for number, row in enumerate(rows):
+        _Row(sheet, curve_set, top + ROW * number, row, (WIDTH - LEFT - RIGHT) / longest).draw(score, groups)
+    sheet.png(stream)
+
+
+def _header(sheet: Sheet, score: Score, curve_set: CurveSet, groups: Sequence[Breath], rows: Sequence[Row]) -> None:
+    voice = next(body.voice.voice for body in score.bodies if body.id == curve_set.body)
+    facts = [_clock(score.duration), f"{len(groups)} breath groups", f"model {score.model}", f"voice {voice}"]
+    if rows[-1].end < score.duration:
+        facts.append(f"the first {_clock(rows[-1].end)} in detail")
+    sheet.text(LEFT, 56, "Speech and breath", 30, INK, weight="bold")
+    sheet.text(LEFT, 94, "   ·   ".join(facts), 19, FAINT)
+    x = WIDTH - RIGHT
+    for name, color in LEGEND:
+        sheet.text(x, 56, name, 18, FAINT, align="right")
+        x -= 10 * len(name) + 32
+        sheet.area([x, x + 20], 48 if color == INK else 41, 51 if color == INK else 57, color)
+        x -= 26
+
+
+def _strip(sheet: Sheet, curve_set: CurveSet, rows: Sequence[Row]) -> None:
+    """The whole Score in one line, and which part of it the rows below show."""
+    width, duration = WIDTH - LEFT - RIGHT, curve_set.duration
+    band = _lung_band(curve_set, HEADER + STRIP_TOP, HEADER + STRIP_BOTTOM)
+    volume = curve_set.sample(np.linspace(0, duration, 4 * width), ["lung_volume"]).reshape(width, 4)
+    x = LEFT + np.arange(width, dtype=np.float64)
+    shown = LEFT + width * rows[-1].end / duration
+    sheet.area([LEFT, shown], band.top - 8, band.bottom, DETAIL)
+    sheet.area(x, band.y(volume.max(axis=1)) - 1, band.y(volume.min(axis=1)) + 1, INK, layer=1)
+    sheet.line([LEFT, LEFT + width], band.bottom, FAINT, 1)
+    for tick in np.arange(0, duration, _round_step(duration / 12)):
+        at = LEFT + width * tick / duration
+        sheet.line(at, [band.bottom, band.bottom + 8], FAINT, 1)
+        sheet.text(at, band.bottom + 26, _clock(tick), 15, FAINT, align="center")
+    sheet.text(LEFT - 14, (band.top + band.bottom) / 2 + 6, "whole", 15, FAINT, align="right")
+
+
+class _Row:
+    """One row of the timeline."""
+
+    def __init__(self, sheet: Sheet, curve_set: CurveSet, top: float, row: Row, pixels_a_second: float) -> None:
+        self.sheet, self.curves, self.top, self.time = sheet, curve_set, top, row
+        self.rate = pixels_a_second
+        self.lung = _lung_band(curve_set, LUNG_TOP, LUNG_BOTTOM)
+
+    def draw(self, score: Score, groups: Sequence[Breath]) -> None:
+        for group in groups:
+            if group.onset < self.time.end and group.end > self.time.start:
+                self._group(group)
+        self._scales()
+        self._curves()
+        words = list(self._words(score.of(Utterance, self.curves.body)))
+        for label in place(words, WORD_SIZE, 2):
+            self.sheet.text(label.x, self.top + WORDS + WORD_LINE * label.line, label.text, WORD_SIZE, INK)
+
+    def _x(self, time: float) -> float:
+        return LEFT + (time - self.time.start) * self.rate
+
+    def _group(self, group: Breath) -> None:
+        begin, inspired = (min(max(t, self.time.start), self.time.end) for t in (group.onset, group.inspired))
+        if inspired > begin:
+            self.sheet.area(
+                [self._x(begin), self._x(inspired)], self.top + LABEL + 6, self.top + SOUND.bottom, INSPIRED
+            )
+        if group.onset >= self.time.start:
+            x = self._x(group.onset)
+            self.sheet.line(x, [self.top + LABEL - 16, self.top + WORDS + WORD_LINE + 6], FAINT, 1.4)
+            seconds, syllables = group.end - group.onset, group.group.syllables
+            self.sheet.text(x + 9, self.top + LABEL, f"{seconds:.1f} s · {syllables} syll.", 15, FAINT)
+
+    def _scales(self) -> None:
+        right, foot = self._x(self.time.end), self.top + SOUND.bottom
+        resting = self.curves.sources.breathing.person.resting_volume
+        peak = self.top + float(self.lung.y(self.lung.high))
+        rest = self.top + float(self.lung.y(resting))
+        self.sheet.line([LEFT, right], rest, FAINT, 1.4, dashes=(5, 4))
+        self.sheet.text(LEFT - 14, rest + 6, f"rest {resting:.0%}", 15, FAINT, align="right")
+        if rest - peak > 20:
+            self.sheet.text(LEFT - 14, peak + 6, f"{self.lung.high:.0%} VC", 15, FAINT, align="right")
+        for level in (-40, -20, 0):
+            y = self.top + float(SOUND.y(level))
+            self.sheet.line([LEFT, right], y, HAIR, 1, layer=0)
+            self.sheet.text(LEFT - 14, y + 6, f"{level} dB".replace("-", "−"), 15, FAINT, align="right")
+        self.sheet.line([LEFT, right], foot, FAINT, 1.4)
+        for second in range(int(np.ceil(self.time.start)), int(np.floor(self.time.end)) + 1):
+            x, whole = self._x(second), second % 5 == 0
+            self.sheet.line(x, [foot, foot + (10 if whole else 5)], FAINT, 1.4)
+            if whole:
+                self.sheet.text(x + 5, foot + 17, _clock(second), 14, FAINT)
+
+    def _curves(self) -> None:
+        times = np.append(np.arange(self.time.start, self.time.end, 1 / self.rate), self.time.end)
+        x = LEFT + (times - self.time.start) * self.rate
+        volume, speech, breath = self.curves.sample(times, ["lung_volume", "speech_level", "breath_level"]).T
+        y = self.top + self.lung.y(volume)
+        self.sheet.area(x, y, self.top + self.lung.bottom, FILL)
+        self.sheet.line(x, y, INK, 2.6, layer=2)
+        for level, color in ((breath, BREATH), (speech, SPEECH)):
+            self.sheet.area(x, self.top + SOUND.y(level), self.top + SOUND.bottom, color, layer=1)
+
+    def _words(self, utterances: Iterator[Utterance]) -> Iterator[tuple[str, float]]:
+        for utterance in utterances:
+            if utterance.onset >= self.time.end or utterance.end <= self.time.start:
+                continue
+            for word in utterance.words:
+                onset = utterance.onset + word.onset
+                if self.time.start <= onset < self.time.end:
+                    yield word.text, self._x(onset)
+
+
+def _lung_band(curve_set: CurveSet, top: float, bottom: float) -> Band:
+    """A band from just below the Score's lowest volume to its highest, never narrower than a tenth."""
+    breathing = curve_set.sources.breathing
+    volumes = np.concatenate((breathing.from_volume, breathing.to_volume, [breathing.person.resting_volume]))
+    low, high = float(volumes.min()), float(volumes.max())
+    return Band(top=top, bottom=bottom, low=low - 0.02, high=max(high, low + 0.08))
+
+
+def _clock(seconds: float) -> str:
+    """Minutes and seconds.
+
+    >>> _clock(65.2)
+    '1:05'
+    """
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes}:{rest:02d}"
+
+
+def _round_step(step: float) -> float:
+    """The next round number of seconds.
+
+    >>> _round_step(44.0)
+    60
+    """
+    return next((nice for nice in (5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600) if nice >= step), 7200)

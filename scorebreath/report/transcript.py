@@ -1,0 +1,107 @@
+"""A Score's text in pieces that know when they are spoken."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TypedDict
+
+from scorebreath.report.rows import breaths
+from scorebreath.score.document import Score
+from scorebreath.score.events import Inspiration, Utterance
+from scorebreath.units import snap
+
+
+class Piece(TypedDict, total=False):
+    """What stands between words has only a text, a breath has no text, a word has both text and time."""
+
+    text: str
+    onset: float
+    """s"""
+    end: float
+    """s"""
+    depth: float
+    """of a breath, fraction of VC"""
+
+
+class _Said(TypedDict):
+    source: tuple[int, int] | None
+    text: str
+    onset: float
+    end: float
+    group: str | None
+
+
+def transcript(score: Score, body: str, until: float) -> list[Piece]:
+    """The text as written, words and breaths with their times, as far as it is spoken before `until`.
+
+    Several spoken words that stand for one written one ("23") are one piece. Words that stand nowhere in the text, or
+    out of its order, appear as they are spoken.
+    """
+    text = _unwrapped(score.text)
+    depths = {event.group: event.to_volume - event.from_volume for event in score.of(Inspiration, body)}
+    starts = {each.group.id: each for each in breaths(score, body)}
+    pieces: list[Piece] = []
+    at = 0
+    group: str | None = None
+    for said in _merged(_words(score, body, until)):
+        begins = said["group"] is not None and said["group"] != group
+        group = said["group"]
+        source = said["source"]
+        written = source is not None and source[0] >= at
+        between = text[at : source[0]] if written and source else " "
+        head, tail = _split(between)
+        pieces.append({"text": head})
+        if begins and group in starts:
+            breath = starts[group]
+            pieces.append(
+                {"onset": breath.onset, "end": snap(breath.inspired), "depth": snap(max(0.0, depths.get(group, 0.0)))}
+            )
+        pieces.append({"text": tail})
+        shown = text[source[0] : source[1]] if written and source else said["text"]
+        pieces.append({"text": shown, "onset": said["onset"], "end": said["end"]})
+        at = source[1] if written and source else at
+    pieces.append({"text": re.match(r"\S*", text[at:])[0]})  # type: ignore[index]  # \S* always matches
+    return [piece for piece in pieces if piece.get("text") != ""]
+
+
+def _words(score: Score, body: str, until: float) -> Iterator[_Said]:
+    for utterance in sorted(score.of(Utterance, body), key=lambda event: event.onset):
+        for word in utterance.words:
+            onset = snap(utterance.onset + word.onset)
+            if onset < until:
+                end = snap(onset + word.duration)
+                yield {
+                    "source": word.source, "text": word.text, "onset": onset, "end": end, "group": utterance.group,
+                }  # fmt: skip
+
+
+def _merged(words: Iterator[_Said]) -> Iterator[_Said]:
+    """Neighbours whose places in the text overlap, as one."""
+    last: _Said | None = None
+    for word in words:
+        here, there = word["source"], last and last["source"]
+        if last is not None and here is not None and there and here[0] < there[1] and there[0] < here[1]:
+            last["source"] = (min(here[0], there[0]), max(here[1], there[1]))
+            last["end"] = max(last["end"], word["end"])
+            continue
+        if last is not None:
+            yield last
+        last = word
+    if last is not None:
+        yield last
+
+
+def _split(between: str) -> tuple[str, str]:
+    """What ends the last word, and what begins the next: a breath stands in between.
+
+    >>> _split('. "'), _split(",")
+    (('. ', '"'), (',', ''))
+    """
+    cut = max((match.end() for match in re.finditer(r"\s+", between)), default=len(between))
+    return between[:cut], between[cut:]
+
+
+def _unwrapped(text: str) -> str:
+    """The text with line breaks after long lines as spaces: prose wrapped by an editor, not verse; same length."""
+    return re.sub(r"(?<=[^\n]{60})\n(?=[^\n])", " ", text)
