@@ -103,3 +103,13 @@ def place(words: Sequence[tuple[str, float]], em: float, lines: int) -> list[Lab
         free[line] = x + (len(text) * 0.56 + 0.3) * em
         labels.append(Label(text, x, line))
     return labels
+
+
+def clock(seconds: float) -> str:
+    """Minutes and seconds.
+
+    >>> clock(65.2)
+    '1:05'
+    """
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes}:{rest:02d}"

@@ -13,7 +13,7 @@ from typing import BinaryIO
 import numpy as np
 
 from scorebreath.curves.curve_set import CurveSet
-from scorebreath.report.rows import Breath, Row, breaths, place, wrap
+from scorebreath.report.rows import Breath, Row, breaths, clock, place, wrap
 from scorebreath.report.sheet import Points, Sheet
 from scorebreath.score.document import Score
 from scorebreath.score.events import Utterance
@@ -75,9 +75,9 @@ def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
 
 def _header(sheet: Sheet, score: Score, curve_set: CurveSet, groups: Sequence[Breath], rows: Sequence[Row]) -> None:
     voice = next(body.voice.voice for body in score.bodies if body.id == curve_set.body)
-    facts = [_clock(score.duration), f"{len(groups)} breath groups", f"model {score.model}", f"voice {voice}"]
+    facts = [clock(score.duration), f"{len(groups)} breath groups", f"model {score.model}", f"voice {voice}"]
     if rows[-1].end < score.duration:
-        facts.append(f"the first {_clock(rows[-1].end)} in detail")
+        facts.append(f"the first {clock(rows[-1].end)} in detail")
     sheet.text(LEFT, 56, "Speech and breath", 30, INK, weight="bold")
     sheet.text(LEFT, 94, "   ·   ".join(facts), 19, FAINT)
     x = WIDTH - RIGHT
@@ -101,7 +101,7 @@ def _strip(sheet: Sheet, curve_set: CurveSet, rows: Sequence[Row]) -> None:
     for tick in np.arange(0, duration, _round_step(duration / 12)):
         at = LEFT + width * tick / duration
         sheet.line(at, [band.bottom, band.bottom + 8], FAINT, 1)
-        sheet.text(at, band.bottom + 26, _clock(tick), 15, FAINT, align="center")
+        sheet.text(at, band.bottom + 26, clock(tick), 15, FAINT, align="center")
     sheet.text(LEFT - 14, (band.top + band.bottom) / 2 + 6, "whole", 15, FAINT, align="right")
 
 
@@ -156,7 +156,7 @@ class _Row:
             x, whole = self._x(second), second % 5 == 0
             self.sheet.line(x, [foot, foot + (10 if whole else 5)], FAINT, 1.4)
             if whole:
-                self.sheet.text(x + 5, foot + 17, _clock(second), 14, FAINT)
+                self.sheet.text(x + 5, foot + 17, clock(second), 14, FAINT)
 
     def _curves(self) -> None:
         times = np.append(np.arange(self.time.start, self.time.end, 1 / self.rate), self.time.end)
@@ -184,16 +184,6 @@ def _lung_band(curve_set: CurveSet, top: float, bottom: float) -> Band:
     volumes = np.concatenate((breathing.from_volume, breathing.to_volume, [breathing.person.resting_volume]))
     low, high = float(volumes.min()), float(volumes.max())
     return Band(top=top, bottom=bottom, low=low - 0.02, high=max(high, low + 0.08))
-
-
-def _clock(seconds: float) -> str:
-    """Minutes and seconds.
-
-    >>> _clock(65.2)
-    '1:05'
-    """
-    minutes, rest = divmod(round(seconds), 60)
-    return f"{minutes}:{rest:02d}"
 
 
 def _round_step(step: float) -> float:

@@ -95,7 +95,7 @@ def test_a_long_score_is_cut_and_the_page_says_so(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(preview, "LONGEST", 60.0)
     score = build([Breath(speech=9.0)] * 12)
     html = page(score)
-    assert "this page holds the first 1 minutes" in html
+    assert "this page holds the first 1:00" in html
     found = data(html)
     assert found["shown"] == 60.0
     assert len(decoded(html)) == 60 * preview.RATE
