@@ -22,8 +22,9 @@ def commands(segment: Segment, where: Callable[[str], str], *, sample_rate: int)
     made = Commands(input_bus_channel_count=0, output_bus_channel_count=1, buffer_count=len(segment.sounds) + 1)
     with made.at(0.0):
         load(made, (sound.instrument for sound in segment.sounds))
-    play(made, segment.sounds, when=clock, where=where)
-    with made.at(clock.of_frame(segment.start + segment.frames)):
+    end = clock.of_frame(segment.start + segment.frames)
+    play(made, segment.sounds, when=lambda time: min(clock(time), end), where=where)
+    with made.at(end):
         made.free_group_children(made.root_node)  # some units that are alive at the end crash the embedded engine
     return made
 

@@ -6,18 +6,22 @@ import signal
 from collections.abc import Iterable
 
 SIGNS: tuple[tuple[str, str], ...] = (
-    ("SynthDef not found", "an instrument is missing"),
-    ("not installed", "the engine lacks a unit generator"),
-    ("exception in GraphDef_Recv", "an instrument cannot be read"),
-    ("could not be opened", "a sound file cannot be read"),
+    ("not installed", "it lacks a unit generator"),
+    ("exception in GraphDef_Recv", "it cannot read an instrument"),
+    ("could not be opened", "it cannot read a sound file"),
+    ("Command not found", "it does not know a command"),
+    ("SynthDef not found", "it does not have an instrument"),
     ("no buffer data", "a sound was played before it was read"),
+    ("real time memory", "too many sounds at once"),
     ("too many nodes", "too many sounds at once"),
+    ("alloc failed", "it is out of memory"),
     ("out-of-order", "sounds are out of order"),
-    ("alloc failed", "the engine is out of memory"),
-    ("Command not found", "a command is unknown"),
+    ("OSC packet", "it cannot read its commands"),
+    ("command file empty", "it cannot read its commands"),
+    ("terminate called", "it crashed"),
     ("FAILURE IN SERVER", "a command failed"),
-    ("exception", "the engine failed"),
-    ("ERROR", "the engine reports an error"),
+    ("exception", "it threw an exception"),
+    ("ERROR", "it reports an error"),
 )
 """Words in the engine's output and what they mean, the most telling first."""
 
@@ -30,7 +34,7 @@ def failure(lines: Iterable[str]) -> tuple[str, tuple[str, ...]] | None:
     """What failed and the engine's words about it, or None.
 
     >>> failure(["nextOSCPacket 0.5", "FAILURE IN SERVER /s_new SynthDef not found"])
-    ('an instrument is missing', ('FAILURE IN SERVER /s_new SynthDef not found',))
+    ('it does not have an instrument', ('FAILURE IN SERVER /s_new SynthDef not found',))
     """
     telling = [line for line in lines if _sign(line) is not None and not any(word in line for word in _HARMLESS)]
     if not telling:

@@ -154,7 +154,9 @@ class _Job:
         """The samples of one piece, (n,) float32 each."""
         if not segment.sounds:
             for start in range(0, segment.frames, _BLOCK):
-                yield np.zeros(min(_BLOCK, segment.frames - start), dtype=np.float32)
+                block = np.zeros(min(_BLOCK, segment.frames - start), dtype=np.float32)
+                yield block
+                self._progress(segment, _WRITING, (start + len(block)) / segment.frames)
             return
         with temporary_folder(self._bytes(segment)) as folder:
             made = self._engine_makes(segment, folder)
@@ -167,9 +169,8 @@ class _Job:
                     self._progress(segment, _WRITING, (start + len(block)) / segment.frames)
 
     def _engine_makes(self, segment: Segment, folder: Path) -> Path:
-        names = [sound.media for sound in segment.sounds if sound.media is not None]
         staged = stage(
-            names, self.media, folder,
+            _lengths(segment), self.media, folder,
             sample_rate=self.sample_rate, on_progress=partial(self._progress, segment, _STAGING),
         )  # fmt: skip
         with (folder / COMMANDS).open("wb") as stream:
@@ -177,16 +178,20 @@ class _Job:
         return run(
             self.engine, folder,
             frames=segment.frames, sample_rate=self.sample_rate, timeout=self.timeout,
-            needs=Needs(buffers=len(names) + 1, nodes=segment.overlap),
+            needs=Needs(buffers=len(segment.sounds) + 1, nodes=segment.overlap),
             on_progress=partial(self._progress, segment, _ENGINE),
         )  # fmt: skip
 
     def _bytes(self, segment: Segment) -> int:
-        lengths = {sound.media: sound.duration for sound in segment.sounds if sound.media is not None}
-        return int(1.05 * _FRAME * (segment.frames + self.sample_rate * sum(lengths.values())))
+        seconds = sum(_lengths(segment).values())
+        return int(1.05 * _FRAME * (segment.frames + self.sample_rate * seconds))
 
     def _progress(self, segment: Segment, part: tuple[float, float], share: float) -> None:
         if self.tell is not None:
             before, after = part
             within = before + (after - before) * share
             self.tell("sound", (segment.start + within * segment.frames) / self.frames)
+
+
+def _lengths(segment: Segment) -> dict[str, float]:
+    return {sound.media: sound.duration for sound in segment.sounds if sound.media is not None}

@@ -6,8 +6,8 @@ from scorebreath.errors import InputError
 
 SAMPLE_RATE = 48000
 """Hz, unless something else is asked for."""
-LOWEST, HIGHEST = 8000, 192000
-"""Hz"""
+LOWEST, HIGHEST = 16000, 192000
+"""Hz; below, the highest resonance of a breath would not fit"""
 
 
 def check_sample_rate(rate: int) -> int:

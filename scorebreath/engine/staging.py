@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +14,7 @@ from scorebreath.signal.resample import resample
 
 
 def stage(
-    names: Sequence[str],
+    lengths: Mapping[str, float],
     media: MediaStore,
     folder: Path,
     *,
@@ -24,7 +24,7 @@ def stage(
     """Write media into a folder, one at a time.
 
     Args:
-        names: SHA-256 of what is wanted; twice is once.
+        lengths: What is wanted, by its SHA-256, and how many seconds of it there should be.
         media: Where they are.
         folder: Where they go.
         sample_rate: The engine's, Hz.
@@ -34,12 +34,13 @@ def stage(
         Names of files in the folder, by SHA-256.
 
     Raises:
-        ScoreError: Media are missing, or hold samples that are not finite.
+        ScoreError: Media are missing, of another length, or hold samples that are not finite.
     """
-    wanted = list(dict.fromkeys(names))
     staged: dict[str, str] = {}
-    for index, name in enumerate(wanted):
+    for index, (name, length) in enumerate(lengths.items()):
         sound = media.get(name)
+        if abs(len(sound.samples) - length * sound.sample_rate) > 0.5:
+            raise ScoreError(f"media {name[:12]!r} last {len(sound.samples) / sound.sample_rate:g} s, not {length:g} s")
         if not np.isfinite(np.abs(sound.samples).max(initial=0.0)):
             raise ScoreError(f"media {name[:12]!r} hold samples that are not finite")
         samples = np.append(resample(sound.samples, sound.sample_rate, sample_rate), np.float32(0))
@@ -47,5 +48,5 @@ def stage(
         with (folder / staged[name]).open("wb") as stream:
             write_wave(stream, [samples], frames=len(samples), sample_rate=sample_rate, encoding="float32")
         if on_progress is not None:
-            on_progress((index + 1) / len(wanted))
+            on_progress((index + 1) / len(lengths))
     return staged

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 Signal = NDArray[np.float64]
 _ORDER = 40
 _REACH = 0.012  # s looked at around the onset that is expected
+_TELLING = 0.04  # s at either end of a breath that say where it is
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,6 +39,9 @@ def breath_onset(signal: Signal, rate: int, shape: Shape) -> float:
     loud = float(power[inside].mean())
     floor = max(loud * 1e-12, float(np.median(power[: int(_REACH * rate)])))
     time = (np.arange(len(part)) + first) / rate
+    edge = int((2 * _REACH + _TELLING) * rate)  # further in, a shift changes next to nothing
+    ends = np.r_[:edge, max(edge, len(part) - edge) : len(part)]
+    time, power = time[ends], power[ends]
 
     def unlikeliness(onset: float) -> float:
         since = time - onset
