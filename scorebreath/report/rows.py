@@ -100,9 +100,24 @@ def place(words: Sequence[tuple[str, float]], em: float, lines: int) -> list[Lab
     for text, x in words:
         roomy = [line for line in range(lines) if free[line] <= x]
         line = roomy[0] if roomy else free.index(min(free))
-        free[line] = x + (len(text) * 0.56 + 0.3) * em
+        free[line] = x + (width(text) + 0.35) * em
         labels.append(Label(text, x, line))
     return labels
+
+
+_WIDTHS = {0.34: "iljtfrI.,;:!'|()[]-\" ", 0.9: "mwMWQO@%&—…"}
+_WIDTH = {letter: width for width, letters in _WIDTHS.items() for letter in letters}
+
+
+def width(text: str) -> float:
+    """About how wide a text is in a sans serif, in em; letters of full-width scripts count whole.
+
+    >>> round(width("mill"), 2), width("世界")
+    (1.92, 2.0)
+    """
+    return sum(
+        _WIDTH.get(letter, 1.0 if ord(letter) >= 0x2E80 else 0.72 if letter.isupper() else 0.6) for letter in text
+    )
 
 
 def clock(seconds: float) -> str:

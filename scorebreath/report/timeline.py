@@ -1,7 +1,7 @@
 """`timeline.png`: the papers' Figure 4 for one Score: lung volume, speech and breath sound, words, group limits (B14).
 
 Time runs in rows, most of them begun with a breath. A long Score shows its first rows in detail and all of itself in a
-strip on top, so that a picture takes about as long to draw whatever the text.
+strip above them, so that a picture takes about as long to draw whatever the text.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from scorebreath.score.events import Utterance
 
 MOST_ROWS, ROW_SECONDS, SHORTEST_ROW = 10, 15.0, 5.0
 WIDTH, LEFT, RIGHT = 2400, 130, 60
-HEADER, STRIP, ROW = 140, 160, 400
+HEADER, STRIP, ROW = 130, 160, 425
 """pixels"""
 
 
@@ -43,7 +43,7 @@ class Band:
 SOUND = Band(top=214, bottom=304, low=-50.0, high=8.0)
 """dB relative to the voice's reference"""
 LUNG_TOP, LUNG_BOTTOM, STRIP_TOP, STRIP_BOTTOM = 56, 196, 10, 100
-LABEL, WORDS, WORD_LINE, WORD_SIZE = 38, 352, 25, 19
+LABEL, WORDS, WORD_LINE, WORD_LINES, WORD_SIZE = 38, 350, 24, 3, 19
 
 INK, FAINT, HAIR, PAPER, DETAIL = "#1b2430", "#66717e", "#d9dee4", "#ffffff", "#f1f4f8"
 FILL, INSPIRED = "#e6ebf1", "#c9e0f2"
@@ -53,7 +53,7 @@ LEGEND = (("breath sound", BREATH), ("speech sound", SPEECH), ("breathing in", I
 
 
 def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
-    """Draw a Score as PNG, 2400 pixels wide and at most 4300 high.
+    """Draw a Score as PNG, 2400 pixels wide and at most 4540 high.
 
     Args:
         stream: Takes bytes.
@@ -63,10 +63,11 @@ def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
     groups = breaths(score, curve_set.body)
     longest = min(ROW_SECONDS, max(SHORTEST_ROW, score.duration))
     rows = wrap(score.duration, [group.onset for group in groups], longest, MOST_ROWS)
-    top = HEADER + (STRIP if len(rows) > 1 else 0)
+    partial = rows[-1].end < score.duration
+    top = HEADER + (STRIP if partial else 0)
     sheet = Sheet(WIDTH, top + ROW * len(rows), PAPER)
     _header(sheet, score, curve_set, groups, rows)
-    if len(rows) > 1:
+    if partial:
         _strip(sheet, curve_set, rows)
     for number, row in enumerate(rows):
         _Row(sheet, curve_set, top + ROW * number, row, (WIDTH - LEFT - RIGHT) / longest).draw(score, groups)
@@ -120,7 +121,7 @@ class _Row:
         self._scales()
         self._curves()
         words = list(self._words(score.of(Utterance, self.curves.body)))
-        for label in place(words, WORD_SIZE, 2):
+        for label in place(words, WORD_SIZE, WORD_LINES):
             self.sheet.text(label.x, self.top + WORDS + WORD_LINE * label.line, label.text, WORD_SIZE, INK)
 
     def _x(self, time: float) -> float:
@@ -134,7 +135,7 @@ class _Row:
             )
         if group.onset >= self.time.start:
             x = self._x(group.onset)
-            self.sheet.line(x, [self.top + LABEL - 16, self.top + WORDS + WORD_LINE + 6], FAINT, 1.4)
+            self.sheet.line(x, [self.top + LABEL - 16, self.top + WORDS + (WORD_LINES - 1) * WORD_LINE + 6], FAINT, 1.4)
             seconds, syllables = group.end - group.onset, group.group.syllables
             self.sheet.text(x + 9, self.top + LABEL, f"{seconds:.1f} s · {syllables} syll.", 15, FAINT)
 
