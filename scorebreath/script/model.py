@@ -27,13 +27,16 @@ class ScriptWord:
     text: str
     """the word as written, without punctuation"""
     spoken: SpokenText
-    """as a voice is to say it, with its punctuation; source spans are absolute places in the text"""
+    """as a voice is to say it, with its punctuation; source spans are absolute places in the text. Words are joined by a
+    space, but by nothing behind a `joint` edge"""
     words: tuple[str, ...]
     """the bare spoken words, for counting syllables: ("twenty", "three") for 23"""
     edge: Edge
     """what follows"""
     line: int
     """line of the text it stands in, from 0"""
+    marked: bool = False
+    """a pause marker `_` follows, even where `edge` names something stronger"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,7 +48,7 @@ class Sentence:
     text: str
     """as written: `source` cut from the text"""
     gap: str
-    """what stands between this sentence and the next one, as written (white space)"""
+    """what stands between this sentence and the next one, as written: white space, and what is not spoken"""
     type: SentenceType
     words: tuple[ScriptWord, ...]
     """at least one"""

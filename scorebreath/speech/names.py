@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from difflib import get_close_matches
 
 
 def did_you_mean(wanted: str, known: Iterable[str], most: int = 3) -> str:
@@ -14,6 +13,8 @@ def did_you_mean(wanted: str, known: Iterable[str], most: int = 3) -> str:
     >>> did_you_mean("xyz", ["casual", "formal"])
     ''
     """
+    from difflib import get_close_matches
+
     by_case = {name.lower(): name for name in known}
     close = get_close_matches(wanted.lower(), by_case, n=most, cutoff=0.5)
     if not close:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from functools import cached_property
 
 from scorebreath.errors import VoiceError
@@ -25,7 +25,12 @@ DEADLINE = 30.0
 DEADLINE_PER_CHARACTER = 0.02
 """s more for each character; it takes about 0.0003"""
 AHEAD = 2
-"""requests the worker has before it while `speak_all` waits for one"""
+"""requests each worker has before it while `speak_all` waits for one"""
+LANES = 2
+"""Workers at most; pitch takes five times as long as synthesis, and both are done beside the program's own work."""
+SECOND_STARTS, SECOND_WORKS = 6, 16
+"""Requests of one `speak_all` after which a second worker is started, and after which it is given work: it takes a few
+hundred ms to start, which short texts need not wait for."""
 WORDS_AT_ONCE = 1000
 """in one request for syllables"""
 CALIBRATION = {
@@ -51,14 +56,24 @@ def installed() -> Library:
         raise VoiceError(f"eSpeak NG is not installed ({error}): pip install espeakng-loader") from error
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Asked:
+    """A request on its way."""
+
+    request: SpeechRequest
+    said: Said
+    worker: Worker
+    ticket: int
+
+
 class EspeakVoice(Voice):
-    """A language and variant of eSpeak NG, in a worker process of its own. Safe to use from several threads.
+    """A language and variant of eSpeak NG, in worker processes of its own. Safe to use from several threads.
 
     A text in which there is nothing to say, for this voice, gives `assemble.SILENCE` seconds of pause.
     """
 
     def __init__(self, language: str, variant: str = "", *, name: str = "", command: Sequence[str] = ()) -> None:
-        """Choose it; the worker is started by `start` or the first request.
+        """Choose it; a worker is started by `start` or the first request.
 
         Args:
             language: Code, e.g. `en-us`; `en` is American.
@@ -74,7 +89,8 @@ class EspeakVoice(Voice):
         self._chosen = known().choose(language, variant)
         self._name = name or f"espeak:{self._chosen.name}"
         command = command or module_command("scorebreath.speech.espeak.worker", self._library.path, self._library.data)
-        self._worker = Worker(command, self._name)
+        self._workers = [Worker(command, self._name) for _ in range(LANES)]
+        self._worker = self._workers[0]
         self._own = settings(self._chosen)
         self._counts: dict[str, int] = {}
 
@@ -94,35 +110,39 @@ class EspeakVoice(Voice):
         return active_db(samples_of(answer), SAMPLE_RATE)
 
     @property
-    def pid(self) -> int | None:
-        """Process id of the live worker, or None."""
-        return self._worker.pid
+    def pids(self) -> tuple[int, ...]:
+        """Process ids of the live workers."""
+        return tuple(worker.pid for worker in self._workers if worker.pid is not None)
 
     def start(self) -> None:
         """Start the worker, so that it is ready sooner."""
         self._worker.start()
 
     def close(self) -> None:
-        """End the worker."""
-        self._worker.close()
+        """End the workers."""
+        for worker in self._workers:
+            worker.close()
 
     def speak(self, request: SpeechRequest) -> Speech:
         """Speak one breath group."""
         return next(self.speak_all((request,)))
 
     def speak_all(self, requests: Iterable[SpeechRequest]) -> Iterator[Speech]:
-        """Speak one group after the other; the worker is `AHEAD` requests ahead of what is given."""
-        asked: deque[tuple[SpeechRequest, Said, int]] = deque()
+        """Speak one group after the other; each worker is up to `AHEAD` requests ahead of what is given."""
+        asked: deque[_Asked] = deque()
         try:
-            for request in requests:
-                asked.append(self._ask(request))
-                if len(asked) > AHEAD:
-                    yield self._take(*asked.popleft())
+            for index, request in enumerate(requests):
+                if index == SECOND_STARTS:
+                    self._workers[-1].start()
+                lanes = LANES if index >= SECOND_WORKS else 1
+                asked.append(self._ask(request, self._workers[index % lanes]))
+                if len(asked) > AHEAD * lanes:
+                    yield _take(asked.popleft())
             while asked:
-                yield self._take(*asked.popleft())
+                yield _take(asked.popleft())
         finally:
-            for _, _, ticket in asked:
-                self._worker.forget(ticket)
+            for one in asked:
+                one.worker.forget(one.ticket)
 
     def syllables(self, words: Sequence[str]) -> Sequence[int]:
         """Vowels, diphthongs and syllabic consonants of each word as it is spoken alone; kept for the next time."""
@@ -138,7 +158,7 @@ class EspeakVoice(Voice):
                 self._counts[word] = max(least, nuclei(phonemes, self._chosen.language.code))
         return [self._counts[word] for word in words]
 
-    def _ask(self, request: SpeechRequest) -> tuple[SpeechRequest, Said, int]:
+    def _ask(self, request: SpeechRequest, worker: Worker) -> _Asked:
         said = prepare(request.text.text, request.closing)
         set_up = settings(
             self._chosen, rate=request.rate, pitch=request.pitch, continuing=request.closing == "continuing"
@@ -150,10 +170,11 @@ class EspeakVoice(Voice):
             "pitch": (FLOOR * min(1.0, request.pitch), CEILING * max(1.0, request.pitch)),
         }
         deadline = DEADLINE + DEADLINE_PER_CHARACTER * len(said.text)
-        return request, said, self._worker.send(asked, deadline=deadline)
+        return _Asked(request=request, said=said, worker=worker, ticket=worker.send(asked, deadline=deadline))
 
-    def _take(self, request: SpeechRequest, said: Said, ticket: int) -> Speech:
-        return utterance(request.text, said, self._worker.receive(ticket))
+
+def _take(asked: _Asked) -> Speech:
+    return utterance(asked.request.text, asked.said, asked.worker.receive(asked.ticket))
 
 
 def known() -> Catalogue:

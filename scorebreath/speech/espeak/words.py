@@ -15,8 +15,8 @@ from dataclasses import dataclass
 
 from scorebreath.speech.espeak.library import Event
 
-_TOKEN = re.compile(r"[^\s–—―…/]+")
-"""What may be one word: anything between spaces, dashes, ellipses and slashes."""
+_TOKEN = re.compile(r"[^\s–—―…/]+|[–—―…/]+")
+"""What may be one word: anything between spaces, dashes, ellipses and slashes; and those, should they be spoken."""
 _UNSPACED = re.compile("[\u0e00-\u0eff\u1000-\u109f\u1780-\u17ff\u3040-\u30ff\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufaff]")
 """Thai, Lao, Burmese, Khmer, Japanese, Chinese: written without spaces, so every event there starts a word."""
 

@@ -1,0 +1,58 @@
+"""Bytes to text: UTF-8, strictly, with the place of the first byte that is not."""
+
+from __future__ import annotations
+
+from scorebreath.errors import ScriptError
+
+LIMIT = 64 * 1024 * 1024
+"""Bytes of text that are read; more is no script but a mistake."""
+
+_OTHER_ENCODINGS = ((b"\xff\xfe", "UTF-16"), (b"\xfe\xff", "UTF-16"))
+
+
+def decode(data: bytes, file: str = "") -> str:
+    """Text of a UTF-8 file: without byte order mark, lines ended by a single newline.
+
+    Control characters other than NUL are kept, and read as spaces later; a form feed is read as a new paragraph.
+
+    Args:
+        data: The whole file.
+        file: Its name, for messages.
+
+    Raises:
+        ScriptError: Not UTF-8, a NUL byte (a binary file), or larger than `LIMIT`.
+    """
+    if len(data) > LIMIT:
+        raise ScriptError(
+            f"{len(data)} bytes of text", expected=f"at most {LIMIT}: render a long work in parts", file=file
+        )
+    for mark, name in _OTHER_ENCODINGS:
+        if data.startswith(mark):
+            raise ScriptError(f"{name} text", expected="UTF-8: save the text in that encoding", file=file, line=1)
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        found = f"byte 0x{data[error.start]:02x} that is not UTF-8 ({error.reason})"
+        raise _at(data, error.start, found, "UTF-8 text", file) from None
+    if (place := data.find(b"\0")) >= 0:
+        raise _at(data, place, "NUL character", "text, not a binary file", file)
+    return universal_newlines(text.removeprefix("\ufeff"))
+
+
+def universal_newlines(text: str) -> str:
+    r"""`\r\n` and `\r` as `\n`.
+
+    >>> universal_newlines("a\r\nb\rc")
+    'a\nb\nc'
+    """
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+
+
+def _at(data: bytes, place: int, problem: str, expected: str, file: str) -> ScriptError:
+    """The error for a byte, with line, column and the line itself."""
+    before = universal_newlines(data[:place].decode("utf-8", "replace").removeprefix("\ufeff"))
+    start = max(data.rfind(b"\n", 0, place), data.rfind(b"\r", 0, place)) + 1
+    ends = [end for mark in (b"\n", b"\r") if (end := data.find(mark, place)) >= 0]
+    shown = data[start : min([place + 200, *ends])].decode("utf-8", "replace").removeprefix("\ufeff")
+    line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
+    return ScriptError(problem, expected=expected, file=file, line=line, column=column, text=shown)

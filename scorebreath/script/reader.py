@@ -1,0 +1,276 @@
+"""Text in, sentences out: as the text arrives, or all at once.
+
+A sentence ends where pysbd says so when it is shown the text from the sentence's start to at least `AHEAD` code points
+behind the end. The rule looks at nothing further, so a sentence is given as soon as the start of the next one is known,
+and it is the same however the text was cut on its way here. Windows have at most `WINDOW` code points: what has no end in
+one is given in parts, cut at the strongest place of the window's second half. Blank lines and form feeds end everything.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from scorebreath.errors import ScriptError
+from scorebreath.script import emoticons
+from scorebreath.script.boundaries import END, candidate, certain, ends
+from scorebreath.script.decode import LIMIT, universal_newlines
+from scorebreath.script.kinds import kinds as kinds_of
+from scorebreath.script.model import Script, Sentence
+from scorebreath.script.sentence import make_sentence
+from scorebreath.script.verse import is_verse
+
+WINDOW = 2000
+"""Code points that pysbd is shown at most: 4 kB where letters take two bytes."""
+AHEAD = 40
+"""Code points behind a sentence's end that may decide about it."""
+LEAST = 120
+"""Code points of a window, unless the paragraph ends before: keeps a text of tiny sentences cheap."""
+
+_LETTER = re.compile(r"[adk]")
+_BREAK = re.compile(r"n *n|f")
+_LEAD = re.compile(r"(?:(?<![^ n])S )?[^ nfF]{0,16}$")
+_LEADING_SYMBOLS = "§&"
+_KEPT = 24
+"""Code points before a sentence's first letter that may belong to it, with a margin."""
+_CUTS = tuple(
+    re.compile(pattern)
+    for pattern in (r".*[;:MeN)][\"']*(?=[ n])", r".*,[\"']*(?=[ n])", r".*[^ n](?=[ n])", r".*(?=[^m])")
+)
+"""Where a part without a sentence end is cut, best first: at the last such place."""
+_SURROGATE = re.compile("[\ud800-\udfff]")
+_TRIM = 1 << 16
+"""Code points that are let go at a time."""
+
+
+@dataclass(slots=True, kw_only=True)
+class _Raw:
+    """A sentence whose gap is still growing."""
+
+    text: str
+    start: int
+    line: int
+    complete: bool
+    gap: list[str] = field(default_factory=list)
+
+
+class Reader:
+    """Reads a text as it arrives.
+
+    Args:
+        language: BCP 47; only the primary language counts.
+        poem: Whether line ends are edges.
+
+    Raises:
+        ScriptError: `language` is no language tag.
+    """
+
+    def __init__(self, *, language: str = "en", poem: bool = False) -> None:
+        """Start with an empty text."""
+        self._language = primary(language)
+        self._poem = poem
+        self._text = self._kinds = self._carry = ""
+        self._base = 0  # place of the buffer in the text
+        self._at = 0  # what lies before is done with
+        self._inside = False  # a sentence starts at `_at`; else a gap goes on there
+        self._ends: list[int] = []  # where the next sentences end
+        self._complete = True  # whether those are ends of sentences
+        self._raw: _Raw | None = None
+        self._line = self._stanza = 0
+        self._begun = self._over = False
+
+    def feed(self, piece: str) -> list[Sentence]:
+        """Take more text; give the sentences that later text can no longer change.
+
+        Raises:
+            ScriptError: Half of a surrogate pair, which is no text.
+        """
+        piece = self._carry + piece
+        self._carry = ""
+        if piece.endswith("\r"):
+            piece, self._carry = piece[:-1], "\r"
+        if piece and not self._begun:
+            piece = piece.removeprefix("\ufeff")
+            self._begun = True
+        self._take(universal_newlines(piece))
+        return list(self._sentences())
+
+    def finish(self) -> list[Sentence]:
+        """The text is over; give all that is left. Nothing can be fed afterwards."""
+        self._take("\n" if self._carry else "")
+        self._over = True
+        found = list(self._sentences())
+        return [*found, *self._close(last=True)]
+
+    def _take(self, piece: str) -> None:
+        """Append to the buffer, letting go of what is done with, but for one code point."""
+        if match := _SURROGATE.search(piece):
+            place = self._base + len(self._text) + match.start()
+            raise ScriptError(f"half of a surrogate pair (U+{ord(match.group()):04X}) at character {place}", expected="text")
+        if self._at > _TRIM or self._at * 2 > len(self._text):
+            drop = max(0, self._at - 1)
+            self._text, self._kinds = self._text[drop:], self._kinds[drop:]
+            self._ends = [end - drop for end in self._ends]
+            self._base += drop
+            self._at -= drop
+        self._text += piece
+        self._kinds += kinds_of(piece)
+
+    def _sentences(self) -> Iterator[Sentence]:
+        """All that can be read now."""
+        while True:
+            if self._inside:
+                if not self._ends and not self._judge():
+                    return
+                self._end()
+            elif self._seek():
+                yield from self._close(last=False)
+                self._inside = True
+            else:
+                return
+
+    def _seek(self) -> bool:
+        """Go through the gap up to the next sentence's start; whether it was found."""
+        first = self._first_letter()
+        limit = len(self._text) if first is None else first
+        start = limit if self._over and first is None else max(self._at, limit - _KEPT)
+        if first is not None:
+            lead = _LEAD.search(self._kinds, start, first)
+            start = lead.start() if lead else first
+            if self._kinds[start : start + 2] == "S " and self._text[start] not in _LEADING_SYMBOLS:
+                start += 2
+        gap = self._text[self._at : start]
+        if self._raw:
+            self._raw.gap.append(gap)
+        else:
+            self._line += gap.count("\n")
+        self._at = start
+        self._ends = [end for end in self._ends if end > limit]
+        return first is not None
+
+    def _first_letter(self) -> int | None:
+        """The next letter or digit that is no part of an emoticon, as soon as that can be told."""
+        for match in _LETTER.finditer(self._kinds, self._at):
+            place = match.start()
+            if place + 1 == len(self._text) and not self._over:
+                return None
+            near = max(self._at, place - emoticons.LONGEST), min(len(self._text), place + 2)
+            if not any(span.start <= place < span.end for span in emoticons.spans(self._text, *near)):
+                return place
+        return None
+
+    def _judge(self) -> bool:
+        """Find the next ends, in growing windows; False if more text is needed."""
+        start, known = self._at, len(self._text)
+        cap = start + WINDOW
+        least, judged = start + LEAST, start
+        while True:
+            first = self._candidate(start, judged, min(known, cap))
+            end = cap if first is None else min(cap, max(first[1] + AHEAD, least))
+            if first and judged == start:
+                sure = certain(self._text, self._kinds, *first, self._language)
+                if sure:
+                    self._ends, self._complete = [first[1]], True
+                    return True
+            apart = _BREAK.search(self._kinds, start, min(known, end))
+            final = apart is not None or (self._over and known <= end)
+            if final:
+                end = apart.start() if apart else known
+            if end > known or (not final and first and judged == start and sure is None):
+                return False
+            found: list[int] = []
+            if first and first[1] < end:
+                places = ends(self._text[start:end], self._kinds[start:end], self._language, final=final)
+                found = [start + place for place in places if final or start + place <= end - AHEAD]
+            if final and found[-1:] != [end]:
+                found.append(end)
+            self._complete = bool(found)
+            self._ends = found or ([self._part(start, cap)] if end == cap else [])
+            if self._ends:
+                return True
+            judged, least = end - AHEAD, start + 2 * (end - start)
+
+    def _candidate(self, start: int, after: int, limit: int) -> tuple[int, int] | None:
+        """The first marks from `start` on that may end a sentence behind `after`."""
+        for run in END.finditer(self._kinds, start, limit):
+            if run.end() > after and candidate(self._kinds, run, limit):
+                return run.span()
+        return None
+
+    def _part(self, start: int, cap: int) -> int:
+        """Where to cut what has no end."""
+        half = start + WINDOW // 2
+        for pattern in _CUTS:
+            if (match := pattern.match(self._kinds, half, cap)) and match.end() > half:
+                return match.end()
+        return cap
+
+    def _end(self) -> None:
+        """A sentence is over: its gap begins."""
+        end = self._ends.pop(0)
+        text = self._text[self._at : end]
+        whole = text.rstrip(" \n\t") if self._complete else text
+        self._raw = _Raw(text=whole, start=self._base + self._at, line=self._line, complete=self._complete)
+        self._at += len(whole)
+        self._inside = False
+
+    def _close(self, *, last: bool) -> Iterator[Sentence]:
+        """The sentence whose gap is complete, if there is one."""
+        raw, self._raw = self._raw, None
+        if raw is None:
+            return
+        gap = "".join(raw.gap)
+        apart = _BREAK.search(kinds_of(gap)) is not None
+        edge = "paragraph" if apart or last else "sentence" if raw.complete else None
+        sentence = make_sentence(
+            raw.text, gap, raw.start, language=self._language, poem=self._poem, line=raw.line, stanza=self._stanza, edge=edge
+        )
+        self._line = raw.line + raw.text.count("\n") + gap.count("\n")
+        self._stanza += apart
+        if sentence:
+            yield sentence
+
+
+def read(text: str, *, language: str = "en", poem: bool | None = None, file: str = "") -> Script:
+    """Read a whole text.
+
+    Args:
+        text: The text; `decode` makes it from bytes.
+        language: BCP 47; only the primary language counts.
+        poem: Whether line ends are edges; None: if `is_verse` says so.
+        file: Its name, for messages.
+
+    Raises:
+        ScriptError: Nothing in it can be spoken, it is too long, or no text.
+    """
+    text = universal_newlines(text.removeprefix("\ufeff"))
+    if len(text) > LIMIT:
+        raise ScriptError(f"{len(text)} characters", expected=f"at most {LIMIT}: render a long work in parts", file=file)
+    if match := _SURROGATE.search(text):
+        line = text.count("\n", 0, match.start()) + 1
+        column = match.start() - text.rfind("\n", 0, match.start())
+        problem = f"half of a surrogate pair (U+{ord(match.group()):04X})"
+        raise ScriptError(problem, expected="text", file=file, line=line, column=column)
+    poem = is_verse(text) if poem is None else poem
+    reader = Reader(language=language, poem=poem)
+    sentences = (*reader.feed(text), *reader.finish())
+    if not sentences:
+        found = "only punctuation and symbols" if text.strip() else "an empty text"
+        raise ScriptError(f"nothing to speak: {found}", expected="at least one word or number", file=file)
+    return Script(text=text, language=primary(language), poem=poem, sentences=sentences)
+
+
+def primary(language: str) -> str:
+    """The primary language of a BCP 47 tag, in lower case.
+
+    >>> primary("en-US"), primary("de")
+    ('en', 'de')
+
+    Raises:
+        ScriptError: It is no such tag.
+    """
+    first = re.split("[-_]", language)[0].lower()
+    if not re.fullmatch("[a-z]{2,8}", first):
+        raise ScriptError(f"language {language!r}", expected="a BCP 47 tag such as en, de or pt-BR")
+    return first

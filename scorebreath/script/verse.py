@@ -1,0 +1,46 @@
+"""Is a text a poem? Told from its shape: verse breaks its lines before they are full."""
+
+from __future__ import annotations
+
+import re
+
+BREAKS = 3
+"""Line breaks inside stanzas it takes to tell."""
+WIDTH = 60
+"""Code points of a line of verse."""
+NARROW = 0.9
+"""Share of lines that are no longer than that."""
+EARLY = 1 / 3
+"""Share of line breaks before which the next line's first word would still have fitted."""
+STOPPED = 0.6
+"""Share of lines that may end as a sentence does; with more, it is a list of sentences."""
+
+_STOP = re.compile(r"[.!?…:][\"'”’»«“)\]]*$")
+_STANZA = re.compile(r"\n[^\S\n]*\n|[\f\u2029]")
+
+
+def is_verse(text: str) -> bool:
+    """Whether the lines of `text` are lines of verse, to be kept in speech.
+
+    Four signs, all needed: at least `BREAKS` line breaks inside stanzas; short lines; lines that mostly do not end as
+    sentences do; and line breaks that come early. The last one tells verse from prose that was wrapped, at whatever
+    width: wrapping breaks a line only where the next word does not fit into the longest line any more.
+
+    >>> is_verse("Es gingen zwei Parallelen\\nins Endlose hinaus,\\nzwei kerzengerade Seelen\\nund aus solidem Haus.")
+    True
+    >>> is_verse("A text that was wrapped\\nat two dozen columns by\\nan editor is not verse:\\nits lines are full.")
+    False
+    """
+    lines: list[str] = []
+    breaks: list[tuple[int, int]] = []
+    for stanza in _STANZA.split(text):
+        inside = [line.rstrip() for line in stanza.split("\n") if line.strip()]
+        lines += inside
+        breaks += [(len(line), len(after.split(maxsplit=1)[0])) for line, after in zip(inside, inside[1:], strict=False)]
+    if len(breaks) < BREAKS:
+        return False
+    longest = max(len(line) for line in lines)
+    narrow = sum(len(line) <= WIDTH for line in lines)
+    stopped = sum(_STOP.search(line) is not None for line in lines)
+    early = sum(length + 1 + word <= longest for length, word in breaks)
+    return narrow >= NARROW * len(lines) and stopped <= STOPPED * len(lines) and early >= EARLY * len(breaks)

@@ -1,0 +1,214 @@
+"""A sentence cut into words as written: what each is, what hangs on it, and what follows it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from scorebreath.script import emoticons
+from scorebreath.script.kinds import kinds as kinds_of
+from scorebreath.script.model import Edge
+from scorebreath.spans import Span
+
+LONGEST = 64
+"""Letters of a word; what is longer is cut into pieces, joined by `joint` edges."""
+
+_CORE = re.compile(
+    r"""
+    (?: (?<![-Nad_])[-N](?=S{0,4}d) )? S{0,4}           # minus, currency, #
+    [ad] (?: [adm] | S | ['./&@_N-](?=S?[ad]) | (?<=d)[,:](?=d) )*
+    | km*
+    | (?<![^ n(\"]) S (?![^ n.,;:!?)\"])                # a symbol by itself
+    """,
+    re.VERBOSE,
+)
+_HYPHEN = re.compile(r"(?<=[adm])[-N](?=[ad])|(?<=S)[-N](?=a)")
+_RANGE = re.compile(r"[dS][-N][dS]")
+_LINK = re.compile(r"(?:https?://|www\.)[^\s<>\"“”]+")
+_LINK_TAIL = re.compile(r"[^adkm/]+$")
+_PIECE = re.compile(rf"(?:.{{1,{LONGEST}}}(?!m)|.{{{LONGEST}}}m*)", re.DOTALL)
+_MARK = re.compile(r"[.!?;:,eFMN_)-]")
+_LEAD = re.compile(r"[^ n]*$")
+_OPENING = re.compile(r"[(\"]+$")
+_JOINT = re.compile(r"(?:[-N'm/]+|[()])?$")
+
+_EDGES: tuple[tuple[re.Pattern[str], Edge, str], ...] = (
+    (re.compile(r"\?"), "semicolon", "?"),
+    (re.compile(r"!"), "semicolon", "!"),
+    (re.compile(r"F"), "semicolon", "."),
+    (re.compile(r"\.[\"']*[)\"']"), "semicolon", "."),
+    (re.compile(r"e|\.\."), "semicolon", "..."),
+    (re.compile(r";"), "semicolon", ";"),
+    (re.compile(r":"), "semicolon", ":"),
+    (re.compile(r"M|--|(?<=[ n])[-N](?=[ n])|[()]"), "semicolon", ","),
+    (re.compile(r","), "comma", ","),
+)
+"""What stands between two words, in kinds: the edge it makes, and the mark a voice is given for it; first match wins.
+
+A single full stop inside a sentence belongs to an abbreviation or a number and makes no edge, unless quotes close on it.
+"""
+
+
+@dataclass(slots=True, kw_only=True)
+class Written:
+    """One word as written. Places are absolute in the text."""
+
+    source: Span
+    """with what hangs on it"""
+    core: Span
+    """without"""
+    text: str
+    """`core`, cut"""
+    plain: bool
+    """only letters, as far as can be told cheaply"""
+    stopped: bool
+    """a full stop follows at once"""
+    spaced: bool
+    """a single space, perhaps behind a full stop, leads to the next word"""
+    edge: Edge
+    mark: str
+    """what a voice is given for the punctuation"""
+    mark_source: Span | None
+    """the punctuation it stands for"""
+    marked: bool
+    """a pause marker follows"""
+    line: int
+
+
+def cut(text: str, gap: str, start: int, *, poem: bool) -> list[Written]:
+    """The words of a sentence or a part of one.
+
+    Args:
+        text: As written, from its first word to its last mark.
+        gap: What follows up to the next sentence: decides the last word's edge if no sentence ends there.
+        start: Place of `text` in the whole text.
+        poem: Whether line ends are edges.
+
+    Returns:
+        Words with lines counted from 0 and the edges they have inside a sentence; may be empty.
+    """
+    kinds = kinds_of(text + gap)
+    shown = _cover(text, kinds)
+    cores = [core for core in _cores(shown[: len(text)]) if core.cut(text) != "#"]
+    cores = cores or list(_cores(kinds[: len(text)]))
+    if not cores:
+        return []
+    limits = [*(core.start for core in cores[1:]), len(text) + len(gap)]
+    words: list[Written] = []
+    lead = line = place = 0
+    opened = False
+    lines = "\n" in text
+    for core, limit in zip(cores, limits, strict=True):
+        between = shown[core.end : limit]
+        edge, mark = _edge(between.replace(")", "", 1) if opened else between, poem)
+        opened = between == "("  # "engineer(s)": brackets inside a word
+        last = limit == limits[-1]
+        end, following = (len(text), limit) if last else _hang(between, core.end)
+        if lines:
+            line += text.count("\n", place, core.start)
+            place = core.start
+        words.append(
+            Written(
+                source=Span(start + lead, start + end),
+                core=Span(start + core.start, start + core.end),
+                text=text[core.start : core.end],
+                plain=shown[core.start : core.end].strip("ak") == "",
+                stopped=between.startswith("."),
+                spaced=between in (" ", ". ", "n", ".n"),
+                edge=edge,
+                mark=mark,
+                mark_source=_mark_source(shown, core.end, end, start) if mark or last else None,
+                marked="_" in between and (" " in between or "n" in between or last),
+                line=line,
+            )
+        )
+        lead = following
+    return words
+
+
+def _cover(text: str, kinds: str) -> str:
+    """Kinds with emoticons made spaces and links made letters."""
+    shown = kinds
+    if "-" in text or ":" in text or ";" in text or "=" in text:
+        for span in emoticons.spans(text):
+            shown = shown[: span.start] + " " * span.length + shown[span.end :]
+    if "://" in text or "www." in text:
+        for match in _LINK.finditer(text):
+            stop = match.end()
+            if tail := _LINK_TAIL.search(kinds, match.start(), stop):
+                stop = tail.start()
+            shown = shown[: match.start()] + "a" * (stop - match.start()) + shown[stop:]
+    return shown
+
+
+def _cores(shown: str) -> Iterator[Span]:
+    """The words themselves: compounds cut behind their hyphens, long words cut into pieces."""
+    for match in _CORE.finditer(shown):
+        first, last = match.span()
+        found = match.group()
+        if "-" not in found and "N" not in found:
+            yield from _pieces(shown, first, last)
+            continue
+        for hyphen in _HYPHEN.finditer(shown, first, last):
+            place = hyphen.start()
+            if _RANGE.match(shown, place - 1) or place <= first:
+                continue
+            yield from _pieces(shown, first, place)
+            first = place + 1
+        yield from _pieces(shown, first, last)
+
+
+def _pieces(shown: str, first: int, last: int) -> Iterator[Span]:
+    """A word of any length, in pieces that start with a letter or digit."""
+    if last - first <= LONGEST:
+        yield Span(first, last)
+        return
+    start = first
+    for match in _PIECE.finditer(shown, first, last):
+        if _has_letter(shown, match.end(), last) and _has_letter(shown, start, match.end()):
+            yield Span(start, match.end())
+            start = match.end()
+    yield Span(start, last)
+
+
+def _has_letter(shown: str, start: int, end: int) -> bool:
+    """Whether a letter or digit stands near the start of a stretch."""
+    return any(kind in "adk" for kind in shown[start : min(end, start + LONGEST)])
+
+
+def _hang(between: str, end: int) -> tuple[int, int]:
+    """Where a word's punctuation ends and the next word's begins, from the kinds between their letters."""
+    if " " not in between and "n" not in between:
+        opening = _OPENING.search(between)
+        stop = end + (opening.start() if opening and opening.start() else len(between))
+        return (stop, stop)
+    lead = _LEAD.search(between)
+    following = lead.start() if lead else len(between)
+    left = between[:following].rstrip(" n")
+    glued = min((place for place in (left.find(" "), left.find("n")) if place >= 0), default=len(left))
+    marks = [match.end() for match in _MARK.finditer(left)]
+    return end + max([glued, *marks[-1:]]), end + following
+
+
+def _edge(between: str, poem: bool) -> tuple[Edge, str]:
+    """What follows a word inside a sentence, and the mark for it."""
+    if between == " ":
+        return "word", ""
+    if between in ("", "-"):
+        return "joint", between
+    space = " " in between or "n" in between
+    if not space and _JOINT.match(between):
+        return "joint", "-" if between[0] in "-N" else ""
+    for pattern, edge, mark in _EDGES:
+        if pattern.search(between):
+            return edge, mark
+    if poem and "n" in between:
+        return "line", ","
+    return ("marker" if "_" in between and space else "word"), ""
+
+
+def _mark_source(shown: str, core: int, end: int, start: int) -> Span | None:
+    """The punctuation that hangs on a word, from its first mark to its last."""
+    marks = [match.end() for match in _MARK.finditer(shown, core, end)]
+    return Span(start + marks[0] - 1, start + marks[-1]) if marks else None

@@ -1,0 +1,152 @@
+"""The table of voices: by name, by language, with licences. Importing it loads no voice.
+
+Names: `espeak` (the script's language), `espeak:LANGUAGE`, `espeak:LANGUAGE+VARIANT`, `espeak:+VARIANT`; `tone`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from scorebreath.errors import InputError, VoiceError
+from scorebreath.speech.names import did_you_mean
+
+if TYPE_CHECKING:
+    from scorebreath.speech.model import Voice
+
+DEFAULT = "espeak"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VoiceRow:
+    """A voice, or a family of voices, as `scorebreath voices` lists it."""
+
+    name: str
+    """what to ask for"""
+    languages: tuple[str, ...]
+    """BCP 47; `mul` is any"""
+    engine: str
+    version: str
+    """empty when not installed"""
+    licence: str
+    """SPDX"""
+    provenance: str
+    installed: bool
+    how: str
+    """to get it; empty when installed"""
+    deterministic: bool
+    """equal requests give equal bytes, on one machine with one set of versions"""
+    variants: tuple[str, ...] = ()
+    """what may follow a `+` in the name"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Engine:
+    """An engine: one name, how to open it, how to list it."""
+
+    name: str
+    options: str
+    """what may follow the name and a colon; empty for nothing"""
+    open: Callable[[str, str, str], Voice]
+    """from the whole name, the part behind the colon, and the script's language"""
+    rows: Callable[[], Iterator[VoiceRow]]
+
+
+def open_voice(name: str, language: str) -> Voice:
+    """Get a voice ready.
+
+    Args:
+        name: As the table's doc says.
+        language: Of the script, BCP 47; used where the name leaves it open.
+
+    Returns:
+        A voice; close it, or use it as a context manager. Its worker, if it has one, is starting.
+
+    Raises:
+        InputError: There is no such voice; names close ones.
+        VoiceError: It is not installed, or does not speak the language.
+    """
+    family, colon, detail = name.partition(":")
+    engine = ENGINES.get(family.lower())
+    if engine is None:
+        raise InputError(f"voice {name!r} is unknown; there are: {', '.join(ENGINES)}{did_you_mean(family, ENGINES)}")
+    if colon and not (engine.options and detail):
+        expected = f"{engine.name}:{engine.options}" if engine.options else f"{engine.name} alone"
+        raise InputError(f"voice {name!r}: expected {expected}")
+    return engine.open(name, detail, language)
+
+
+def list_voices() -> tuple[VoiceRow, ...]:
+    """All voices, installed or not."""
+    return tuple(row for engine in ENGINES.values() for row in engine.rows())
+
+
+def _open_espeak(name: str, detail: str, language: str) -> Voice:
+    from scorebreath.speech.espeak.voice import EspeakVoice, known
+
+    code, _, variant = detail.partition("+")
+    if not code and known().find(language) is None:
+        close = did_you_mean(language, [other for one in known().languages for other, _ in one.codes])
+        raise VoiceError(f"voice {name!r} does not speak the script's language {language!r}{close}")
+    voice = EspeakVoice(code or language, variant, name=name)
+    voice.start()
+    return voice
+
+
+def _espeak_rows() -> Iterator[VoiceRow]:
+    from scorebreath.speech.espeak.voice import describe, installed, known
+
+    version, problem = "", ""
+    codes: list[str] = []
+    variants: tuple[str, ...] = ()
+    try:
+        version = installed().version()
+        codes, variants = [language.code for language in known().languages], known().variants
+    except (VoiceError, OSError) as error:
+        problem = str(error)
+    details = describe("espeak", codes, version)
+    yield VoiceRow(
+        name="espeak",
+        languages=details.languages,
+        engine=details.engine,
+        version=version,
+        licence=details.licence,
+        provenance=details.provenance,
+        installed=not problem,
+        how=problem,
+        deterministic=details.deterministic,
+        variants=variants,
+    )
+
+
+def _open_tone(name: str, detail: str, language: str) -> Voice:
+    from scorebreath.speech.tone.voice import ToneVoice
+
+    return ToneVoice()
+
+
+def _tone_rows() -> Iterator[VoiceRow]:
+    from scorebreath.speech.tone.voice import DETAILS
+
+    yield VoiceRow(
+        name="tone",
+        languages=DETAILS.languages,
+        engine=DETAILS.engine,
+        version=DETAILS.version,
+        licence=DETAILS.licence,
+        provenance=DETAILS.provenance,
+        installed=True,
+        how="",
+        deterministic=DETAILS.deterministic,
+    )
+
+
+ENGINES: dict[str, Engine] = {
+    engine.name: engine
+    for engine in (
+        Engine(name="espeak", options="LANGUAGE+VARIANT", open=_open_espeak, rows=_espeak_rows),
+        Engine(name="tone", options="", open=_open_tone, rows=_tone_rows),
+    )
+}
+"""By name."""
