@@ -14,7 +14,7 @@ Where it differs from the 2019 bullets, and how it is read here:
 - X6, "or" is meant: one marker beyond the limit is enough to break at the word. A marker that does not occur is not
   beyond anything, or a text without "_" could never be broken at its full stops. A search must end: a marker farther
   than twice the limit does not occur. So a group needs no more than that of the text after it.
-- X7: the nearer marker wins. Two different markers never stand in the same place.
+- X7: the nearer marker wins, and "." in a tie.
 - X8: only what comes next is searched.
 - X9, taken literally: words that are left after the one just counted. Both sides of the comparison only meet
   near the end of the text (with fewer words left than `target_syllables`), where it moves the split point forward.
@@ -42,11 +42,12 @@ class Bernardet2017(Chunker):
     Args:
         parameters: `length_utterance` is target_syllables; `urgency_limit` in characters; `period_marker`.
         count: Counts syllables; the paper's own way is hyphenation (`syllables.pyphen_counter`).
+        poem: Whether lines are lines of verse.
     """
 
-    def __init__(self, parameters: Parameters, count: SyllableCounter) -> None:
+    def __init__(self, parameters: Parameters, count: SyllableCounter, poem: bool = False) -> None:
         """Start with an empty text."""
-        super().__init__(count, LONGEST_WORD)
+        super().__init__(count, LONGEST_WORD, poem)
         low = derive(parameters)
         self._target = low.length_utterance
         self._limit = low.urgency_limit

@@ -38,11 +38,12 @@ class Bernardet2019(Chunker):
     Args:
         parameters: `length_utterance` in syllables; `urgency_limit` in characters; `period_marker`.
         count: Counts syllables; the paper's own way is hyphenation (`syllables.pyphen_counter`).
+        poem: Whether lines are lines of verse.
     """
 
-    def __init__(self, parameters: Parameters, count: SyllableCounter) -> None:
+    def __init__(self, parameters: Parameters, count: SyllableCounter, poem: bool = False) -> None:
         """Start with an empty text."""
-        super().__init__(count, LONGEST_WORD)
+        super().__init__(count, LONGEST_WORD, poem)
         low = derive(parameters)
         self._target = low.length_utterance
         self._limit = low.urgency_limit

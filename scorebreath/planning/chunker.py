@@ -46,11 +46,12 @@ class Chunker(ABC):
     Args:
         count: Counts syllables.
         longest: Syllables one breath can hold; only joined words beyond this are divided.
+        poem: Whether lines are lines of verse.
     """
 
-    def __init__(self, count: SyllableCounter, longest: int) -> None:
+    def __init__(self, count: SyllableCounter, longest: int, poem: bool = False) -> None:
         """Start with an empty text."""
-        self._reader = UnitReader(count, longest)
+        self._reader = UnitReader(count, longest, poem)
         self._units: list[Unit] = []
         self._held: Cut | None = None
         self._index = 0

@@ -67,7 +67,7 @@ class Lattice:
     @property
     def syllables(self) -> int:
         """Syllables in the stretch."""
-        return self._total[-1]
+        return self._total[-1] - self._total[0]
 
     def add(self, syllables: int, boundary: Boundary) -> None:
         """One unit more: find the cheapest plan that ends after it. O(units in a breath)."""

@@ -8,8 +8,9 @@ What the papers leave open, and what is done here:
   inside "3.14" breaks after "3.14"), or before the word it stands in front of.
 - `_` is a marker outside words, not in "snake_case". With `period_marker` "bare", "." is every full stop of the text,
   in "Dr." and "3.14" too; with "sentence" it is the end of a sentence, whatever its mark.
-- The end of a line of verse counts as "_". A paragraph's end, a stanza's, and the end of the text count as ".", where
-  no full stop stands there already: the papers have no paragraphs, and nothing is a stronger place to breathe.
+- The end of a line of verse counts as "_", whatever its punctuation. A paragraph's end, a stanza's, and the end of the
+  text count as ".", with or without a full stop: the papers have no paragraphs, and no place is better to breathe.
+- Of two markers in the same place, which only line ends and paragraphs can make, "." comes first.
 """
 
 from __future__ import annotations
@@ -83,7 +84,7 @@ def _of(text: Sequence[Unit], index: int, period: PeriodMarker) -> list[tuple[Ki
     found: list[tuple[Kind, int, int]] = []
     if unit.edge == "paragraph" or (not bare and unit.edge == "sentence"):
         found.append((".", last, index + 1))
-    if unit.edge == "line":
+    if unit.ends_line:
         found.append(("_", last, index + 1))
     if "." in unit.written or "_" in unit.written:
         for place, character in enumerate(unit.written, unit.start):
@@ -92,5 +93,4 @@ def _of(text: Sequence[Unit], index: int, period: PeriodMarker) -> list[tuple[Ki
                 found.append((".", place, count))
             elif character == "_" and not first <= place < last:
                 found.append(("_", place, count))
-        found.sort(key=lambda marker: marker[1])
-    return found
+    return sorted(found, key=lambda marker: (marker[1], marker[0]))

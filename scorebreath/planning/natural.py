@@ -27,9 +27,9 @@ from scorebreath.planning.sites import boundary, function_words
 from scorebreath.planning.units import Unit
 
 NAME = "natural"
-SPREAD = 0.55
+SPREAD = 0.45
 """Sigma of the lognormal cost of a group's length. Measured groups spread by 0.385 (physiology 1.1), but those are
-outcomes, and the cheapest plan keeps clear of the tails: it takes a milder cost for its groups to spread as much."""
+outcomes, and the cheapest plan keeps clear of the tails: a milder cost makes its groups spread as widely."""
 BUDGET = 0.35
 """Share of the preferred length from which on a boundary is passed at a cost (physiology 1.2: 0.6)."""
 BREATH = 0.40
@@ -50,12 +50,13 @@ class Natural(Chunker):
             `prosody_rate` and the inspiration's length bound a breath.
         language: BCP 47; one without a table of function words is cut at punctuation, else between any words.
         count: Counts syllables, best as the voice says them.
+        poem: Whether lines are lines of verse.
     """
 
-    def __init__(self, parameters: Parameters, language: str, count: SyllableCounter) -> None:
+    def __init__(self, parameters: Parameters, language: str, count: SyllableCounter, poem: bool = False) -> None:
         """Start with an empty text."""
         self.most = most_syllables(parameters)
-        super().__init__(count, self.most)
+        super().__init__(count, self.most, poem)
         self.preferred = derive(parameters).length_utterance
         self._words = function_words(language)
         self._length = length_costs(self.preferred, self.most)
@@ -147,7 +148,7 @@ def length_costs(preferred: float, most: int) -> list[float]:
 
     >>> costs = length_costs(18.0, 44)
     >>> costs.index(min(costs)), round(costs[8], 2), round(costs[31], 2)
-    (15, 0.72, 0.8)
+    (16, 1.24, 1.03)
     """
     median = preferred * exp(-(SPREAD**2) / 2.0)
     return [log(max(1, n) / median) ** 2 / (2.0 * SPREAD**2) for n in range(most + 1)]

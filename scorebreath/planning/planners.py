@@ -14,14 +14,14 @@ from scorebreath.planning.model import Planner, SyllableCounter
 from scorebreath.planning.natural import Natural
 from scorebreath.planning.syllables import pyphen_counter
 
-Factory = Callable[[Parameters, str, SyllableCounter], Planner]
-"""A planner from parameters, language and the voice's syllable counter."""
+Factory = Callable[[Parameters, str, SyllableCounter, bool], Planner]
+"""A planner from parameters, language, the voice's syllable counter, and whether the text is verse."""
 
 PLANNERS = MappingProxyType[str, Factory](
     {
         natural.NAME: Natural,
-        bernardet_2017.NAME: lambda parameters, language, _: Bernardet2017(parameters, pyphen_counter(language)),
-        bernardet_2019.NAME: lambda parameters, language, _: Bernardet2019(parameters, pyphen_counter(language)),
+        bernardet_2017.NAME: lambda values, language, _, poem: Bernardet2017(values, pyphen_counter(language), poem),
+        bernardet_2019.NAME: lambda values, language, _, poem: Bernardet2019(values, pyphen_counter(language), poem),
     }
 )
 """The papers' models count syllables by hyphenation, as the papers do; `natural` as the voice says them."""
@@ -29,7 +29,9 @@ PLANNERS = MappingProxyType[str, Factory](
 DEFAULT = natural.NAME
 
 
-def open_planner(model: str, parameters: Parameters, language: str, count: SyllableCounter) -> Planner:
+def open_planner(
+    model: str, parameters: Parameters, language: str, count: SyllableCounter, *, poem: bool = False
+) -> Planner:
     """A planner at the beginning of a text.
 
     Args:
@@ -37,6 +39,7 @@ def open_planner(model: str, parameters: Parameters, language: str, count: Sylla
         parameters: What was set.
         language: BCP 47.
         count: The voice's syllable counter.
+        poem: Whether line ends are phrase edges, also behind a comma.
 
     Raises:
         InputError: No such model.
@@ -44,4 +47,4 @@ def open_planner(model: str, parameters: Parameters, language: str, count: Sylla
     factory = PLANNERS.get(model)
     if factory is None:
         raise InputError(f"model={model!r} must be one of {', '.join(PLANNERS)}")
-    return factory(parameters, language, count)
+    return factory(parameters, language, count, poem)

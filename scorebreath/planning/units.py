@@ -27,6 +27,8 @@ class Unit:
     """from its first letter to its last: what stands outside is punctuation"""
     edge: Edge
     """what follows it; `joint` only where a chain of joined words is longer than a breath"""
+    ends_line: bool
+    """whether a line of verse ends with it, whatever its edge; a stanza's end is its edge"""
     sentence_type: SentenceType
     closes: bool
     """whether a sentence ends with it"""
@@ -53,10 +55,12 @@ class UnitReader:
     Args:
         count: Counts syllables; asked once a sentence, and once for each word.
         longest: Syllables one breath can hold: a chain of joined words is divided only beyond this.
+        poem: Whether lines are lines of verse.
     """
 
-    def __init__(self, count: SyllableCounter, longest: int) -> None:
+    def __init__(self, count: SyllableCounter, longest: int, poem: bool = False) -> None:
         """Start with nothing read."""
+        self._poem = poem
         self._count = Remembering(count)
         self._longest = longest
         self._chain: list[_Part] = []
@@ -91,14 +95,16 @@ class UnitReader:
         first, last = chain[0], chain[-1]
         written = "".join(part.written for part in chain)
         start, edge = first.word.source.start, last.word.edge
+        letters = Span(_letters(first).start, _letters(last).end)
         return Unit(
             words=tuple(part.word for part in chain),
             syllables=max(1, syllables),
             written=written,
             start=start,
             end=max(start + len(written.rstrip()), last.word.source.end),
-            letters=Span(_letters(first).start, _letters(last).end),
+            letters=letters,
             edge=edge,
+            ends_line=edge == "line" or (self._poem and edge != "paragraph" and "\n" in written[letters.end - start :]),
             sentence_type=last.sentence.type,
             closes=edge in ("sentence", "paragraph") and last.sentence.complete,
         )

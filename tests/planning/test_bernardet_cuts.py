@@ -26,7 +26,7 @@ def cuts(
     model: type[Bernardet2017 | Bernardet2019], text: str, poem: bool = False, **more: object
 ) -> list[BreathGroup]:
     parameters = PAPER.with_values(more)
-    return list(plan(model(parameters, pyphen_counter("en")), sentences(text, poem)))
+    return list(plan(model(parameters, pyphen_counter("en"), poem), sentences(text, poem)))
 
 
 def first(model: type[Bernardet2017 | Bernardet2019], text: str, poem: bool = False, **more: object) -> str:
@@ -139,6 +139,14 @@ def test_paragraphs_lines_and_stanzas_are_markers(model: type[Bernardet2017 | Be
     verse += "and woke and ran and played and slept once more\n\nThe next day it rained" + TAIL
     assert first(model, verse, poem=True) == FIFTEEN + " with us"
     assert first(model, verse, poem=False) == FIFTEEN + " with"
+    # So it does with a comma behind the line's last word, which makes its edge a comma.
+    assert first(model, verse.replace("us\n", "us,\n"), poem=True) == FIFTEEN + " with us,"
+
+
+def test_a_full_stop_at_a_line_end_is_a_full_stop() -> None:
+    verse = FIFTEEN + " with us.\nand then they both went in to eat all their food and slept_" + TAIL
+    rule = cuts(Bernardet2017, verse.replace("slept_", "slept"), poem=True)[0].cut.rule
+    assert rule == "bernardet-2017 X7: '.' 3 characters ahead, before '_' 3 characters ahead, within 32"
 
 
 def test_a_marker_before_the_first_word_is_no_candidate() -> None:

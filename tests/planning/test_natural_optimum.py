@@ -13,10 +13,19 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from scorebreath.parameters.table import Parameters
+from scorebreath.planning import natural
 from scorebreath.planning.lattice import Lattice
 from scorebreath.planning.model import BreathGroup, plan
 from scorebreath.planning.natural import Natural, length_costs, most_syllables
-from scorebreath.planning.sites import READINESS, Boundary, FunctionWords, boundary, function_words
+from scorebreath.planning.sites import (
+    CLINGING,
+    COMMA_CLAUSE,
+    READINESS,
+    Boundary,
+    FunctionWords,
+    boundary,
+    function_words,
+)
 from scorebreath.planning.syllables import vowel_counter
 from scorebreath.planning.units import Unit, UnitReader
 from scorebreath.score.document import Site
@@ -140,9 +149,9 @@ SITES_OF: tuple[tuple[str, str, Site, float], ...] = (
     ("ate after lunch today", "ate", "phrase", READINESS["phrase"]),
     ("old men in boats", "men", "phrase", READINESS["phrase"]),
     ("old men row boats", "men", "word", READINESS["word"]),
-    ("the house", "the", "word", natural_clinging := 0.0005),
-    ("because he ran", "because", "word", natural_clinging),
-    ("ran, because it rained", "ran", "comma", 0.45),
+    ("the house", "the", "word", CLINGING),
+    ("because he ran", "because", "word", CLINGING),
+    ("ran, because it rained", "ran", "comma", COMMA_CLAUSE),
     ("ran, slept well", "ran", "comma", READINESS["comma"]),
     ("ran_ slept well", "ran", "marker", READINESS["marker"]),
     ("ran, _ slept well", "_", "marker", READINESS["marker"]),
@@ -185,3 +194,31 @@ def test_every_table_of_function_words_is_sound() -> None:
 def test_weights_follow_the_order_of_strength() -> None:
     order: tuple[Site, ...] = ("paragraph", "sentence", "semicolon", "comma", "clause", "phrase", "word")
     assert [READINESS[site] for site in order] == sorted((READINESS[site] for site in order), reverse=True)
+
+
+def test_verse_is_breathed_at_line_ends() -> None:
+    poem = "The moon has risen,\nthe golden stars are shining\nin heaven bright and clear;\nthe wood stands black"
+    poem += " and\nsilent,\n\nand from the meadows"
+    found = UnitReader(vowel_counter, 44, poem=True)
+    lines = [unit.words[0].text for s in sentences(poem, poem=True) for unit in found.read(s) if unit.ends_line]
+    assert lines == ["risen", "shining", "clear", "and"]
+    comma = boundary(units("risen, the"), 0, function_words("en"))
+    reader = UnitReader(vowel_counter, 44, poem=True)
+    verse = [unit for s in sentences("risen,\nthe", poem=True) for unit in reader.read(s)]
+    assert boundary(verse, 0, function_words("en")).breathing < comma.breathing
+
+
+def test_settling_early_does_not_change_the_plan_of_a_long_paragraph() -> None:
+    """Many breaths of text with punctuation: the bounded window never has to force a cut."""
+    sentence = (
+        "The old man went down to the harbour, where the boats lay, and looked at the sea; then he went home again. "
+    )
+    text = (sentence + "He slept. " + sentence.replace("harbour", "long and quiet beach")) * 12
+    planner = Natural(Parameters(), "en", vowel_counter)
+    whole = Lattice(length_costs(planner.preferred, planner.most), natural.BUDGET * planner.preferred)
+    everything = units(text)
+    for index, unit in enumerate(everything):
+        whole.add(unit.syllables, boundary(everything, index, function_words("en")))
+    assert whole.syllables > 3 * natural.WINDOW * planner.most
+    expected = [everything[end - 1].end for end in whole.plan()]
+    assert [group.source.end for group in plan(planner, sentences(text))] == expected
