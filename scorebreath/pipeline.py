@@ -113,7 +113,7 @@ def compile_text(
 
 def plan_script(script: Script, *, parameters: Parameters, model: str, count: SyllableCounter) -> Iterator[BreathGroup]:
     """Breath groups of a script, as the model's planner cuts them (the papers' planners count with pyphen)."""
-    return plan(open_planner(model, parameters, script.language, count), script.sentences)
+    return plan(open_planner(model, parameters, script.language, count, poem=script.poem), script.sentences)
 
 
 def speak(groups: Iterable[BreathGroup], voice: Voice, media: MediaStore, parameters: Parameters) -> Iterator[Spoken]:
