@@ -21,7 +21,7 @@ help:
 	@echo "Another Python: make demo PYTHON=python3.12"
 
 demo: $(VENV)/.installed
-	@$(BIN)/scorebreath render examples/forecast.txt -o $(DEMO) --force
+	@$(BIN)/scorebreath render examples/forecast.txt -o $(DEMO) --force >/dev/null
 	@cd $(DEMO) && for made in mix.wav curves.csv timeline.png preview.html; do \
 	    test -s $$made || { echo "$(DEMO)/$$made was not made" >&2; exit 1; }; \
 	done

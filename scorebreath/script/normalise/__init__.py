@@ -1,0 +1,1 @@
+"""Written text as it is to be spoken: numbers, amounts, abbreviations, names; each with its way back to the source."""
