@@ -10,7 +10,12 @@ import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib import metadata
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
+
+from scorebreath.errors import EngineError, ScorebreathError, VoiceError
+
+if TYPE_CHECKING:
+    from scorebreath.speech.voices import VoiceRow
 
 State = Literal["works", "missing", "broken"]
 TEXT = "One."
@@ -103,27 +108,29 @@ def _engines() -> Iterator[Check]:
 
 
 def _voices() -> Iterator[Check]:
-    from scorebreath.speech.voices import list_voices
-
-    from scorebreath_cli.settings import DEFAULT_VOICE
+    from scorebreath.speech.voices import DEFAULT, list_voices
 
     for voice in list_voices():
 
-        def speak(name: str = voice.voice) -> str:
+        def speak(name: str = voice.name) -> str:
             return _spoken(name)
 
-        yield _tried("voice", voice.voice, lambda v=voice: v.version, speak, "", needed=voice.voice == DEFAULT_VOICE)
+        def version(row: VoiceRow = voice) -> str:
+            if not row.installed:
+                raise VoiceError(row.how)
+            return f"{row.engine} {row.version}"
+
+        yield _tried("voice", voice.name, version, speak, voice.how, needed=voice.name == DEFAULT)
 
 
 def _tried(
     kind: str, name: str, version: Callable[[], str], use: Callable[[], str], remedy: str, *, needed: bool
 ) -> Check:
-    from scorebreath.errors import ScorebreathError
-
     try:
         found = version()
     except ScorebreathError as error:
-        return Check(kind=kind, name=name, state="missing", what=str(error), remedy=remedy, needed=needed)
+        said = str(error).removesuffix(f": {remedy}")
+        return Check(kind=kind, name=name, state="missing", what=said, remedy=remedy, needed=needed)
     try:
         return Check(kind=kind, name=name, state="works", what=f"{found}; {use()}", needed=needed)
     except Exception as error:  # whatever it is, the others are still worth trying
@@ -133,12 +140,10 @@ def _tried(
 
 def _rendered(engine: str) -> str:
     """Render a word of the test voice."""
-    from scorebreath.speech.voices import open_voice
-
     from scorebreath.engine.offline import render
-    from scorebreath.errors import EngineError
     from scorebreath.media.store import MemoryStore
     from scorebreath.pipeline import compile_text
+    from scorebreath.speech.voices import open_voice
 
     media = MemoryStore()
     voice = open_voice("tone", "en")
@@ -154,12 +159,10 @@ def _rendered(engine: str) -> str:
 
 def _spoken(voice: str) -> str:
     """Have a voice say a word."""
-    from scorebreath.speech.voices import open_voice
-
-    from scorebreath.errors import VoiceError
     from scorebreath.media.store import MemoryStore
     from scorebreath.pipeline import compile_text
     from scorebreath.score.events import Utterance
+    from scorebreath.speech.voices import open_voice
 
     opened = open_voice(voice, "en")
     try:

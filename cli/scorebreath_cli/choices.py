@@ -24,7 +24,7 @@ def voices() -> list[str]:
     """Voices, without their variants."""
     from scorebreath.speech.voices import list_voices
 
-    return [voice.voice for voice in list_voices()]
+    return [voice.name for voice in list_voices()]
 
 
 def engines() -> list[str]:

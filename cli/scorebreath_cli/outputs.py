@@ -11,6 +11,7 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from types import TracebackType
 
 from scorebreath.errors import EnvironmentFailure, InputError
 
@@ -47,44 +48,93 @@ def refuse_existing(folder: Path, names: tuple[str, ...], *, force: bool, beside
             raise InputError(f"{path} exists already; --force replaces it")
 
 
-@contextmanager
-def staged(folder: Path, *, own: Callable[[Path], set[str]] = lambda _: set()) -> Iterator[Path]:
-    """A folder to write into, whose files appear in `folder` together when all is well, and vanish when not.
+class _Staging:
+    """A place to write to that becomes the output, or vanishes.
 
-    A new `folder` is a renamed sibling. In one that exists, files are renamed one by one, and put back if that fails.
+    A class and not a generator: a signal can strike inside contextlib, where it leaves a generator waiting for ever.
+    """
+
+    def __init__(self, target: Path) -> None:
+        self.target = target
+        self._undo = ExitStack()
+
+    def __enter__(self) -> Path:
+        try:
+            with uninterrupted(), _told(self.target):
+                for missing in reversed([parent for parent in self.target.parents if not parent.exists()]):
+                    missing.mkdir()
+                    self._undo.callback(_remove_empty, missing)
+                return self._create(self._undo)
+        except BaseException:
+            self._undo.close()
+            raise
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
+        with uninterrupted(), self._undo, _told(self.target):
+            if kind is None:
+                self._commit()
+                self._undo.pop_all()
+
+    def _create(self, undo: ExitStack) -> Path:
+        raise NotImplementedError
+
+    def _commit(self) -> None:
+        raise NotImplementedError
+
+
+class staged(_Staging):  # noqa: N801 - reads as the context manager it is
+    """A folder to write into, whose files appear in `target` together when all is well, and vanish when not.
+
+    A new folder is a renamed sibling. In one that exists, files are renamed one by one, and put back if that fails.
 
     Args:
-        folder: Where the files belong.
+        target: Where the files belong.
         own: Names, in the folder, of files that the old output had and the new one may not have.
-
-    Yields:
-        The folder to write into.
 
     Raises:
         EnvironmentFailure: The disk refuses.
     """
-    with ExitStack() as undo:
-        try:
-            _make_parents(folder, undo)
-            exists = folder.is_dir()
-            home = folder if exists else folder.parent
-            part = Path(tempfile.mkdtemp(prefix=f".{folder.name or 'out'}.", suffix=".part", dir=home))
-        except OSError as error:
-            raise EnvironmentFailure(f"{folder}: cannot be written: {error.strerror}") from None
-        undo.callback(shutil.rmtree, part, ignore_errors=True)
-        part.chmod(0o777 & ~_umask())
-        yield part
-        with uninterrupted():
-            try:
-                if exists:
-                    _merge(part, folder, own(folder))
-                else:
-                    part.rename(folder)
-            except OSError as error:
-                raise EnvironmentFailure(f"{folder}: cannot be written: {error.strerror}") from None
-            if exists:
-                shutil.rmtree(part, ignore_errors=True)
-            undo.pop_all()
+
+    def __init__(self, target: Path, *, own: Callable[[Path], set[str]] = lambda _: set()) -> None:
+        """Nothing is made before it is entered."""
+        super().__init__(target)
+        self._own = own
+        self._exists = False
+        self._part = target
+
+    def _create(self, undo: ExitStack) -> Path:
+        self._exists = self.target.is_dir()
+        home = self.target if self._exists else self.target.parent
+        self._part = Path(tempfile.mkdtemp(prefix=f".{self.target.name or 'out'}.", suffix=".part", dir=home))
+        undo.callback(shutil.rmtree, self._part, ignore_errors=True)
+        self._part.chmod(0o777 & ~_umask())
+        return self._part
+
+    def _commit(self) -> None:
+        if self._exists:
+            _merge(self._part, self.target, self._own(self.target))
+            shutil.rmtree(self._part, ignore_errors=True)
+        else:
+            self._part.rename(self.target)
+
+
+class staged_file(_Staging):  # noqa: N801
+    """A path to write to; what stands there replaces `target` when all is well, and vanishes when not.
+
+    Raises:
+        EnvironmentFailure: The disk refuses.
+    """
+
+    def _create(self, undo: ExitStack) -> Path:
+        handle, name = tempfile.mkstemp(prefix=f".{self.target.name}.", suffix=".part", dir=self.target.parent)
+        undo.callback(Path(name).unlink, missing_ok=True)
+        os.close(handle)
+        self._part = Path(name)
+        self._part.chmod(0o666 & ~_umask())
+        return self._part
+
+    def _commit(self) -> None:
+        self._part.replace(self.target)
 
 
 def old_media(folder: Path) -> set[str]:
@@ -96,32 +146,6 @@ def old_media(folder: Path) -> set[str]:
     except OSError:
         return set()
     return {name.decode() for name in named}
-
-
-@contextmanager
-def staged_file(path: Path) -> Iterator[Path]:
-    """A path to write to; what stands there replaces `path` when all is well, and vanishes when not.
-
-    Raises:
-        EnvironmentFailure: The disk refuses.
-    """
-    with ExitStack() as undo:
-        try:
-            _make_parents(path, undo)
-            handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
-        except OSError as error:
-            raise EnvironmentFailure(f"{path}: cannot be written: {error.strerror}") from None
-        os.close(handle)
-        part = Path(name)
-        undo.callback(part.unlink, missing_ok=True)
-        part.chmod(0o666 & ~_umask())
-        yield part
-        with uninterrupted():
-            try:
-                part.replace(path)
-            except OSError as error:
-                raise EnvironmentFailure(f"{path}: cannot be written: {error.strerror}") from None
-            undo.pop_all()
 
 
 @contextmanager
@@ -170,10 +194,12 @@ def _merge(part: Path, folder: Path, old: set[str]) -> None:
     shutil.rmtree(attic, ignore_errors=True)
 
 
-def _make_parents(path: Path, undo: ExitStack) -> None:
-    for missing in reversed([parent for parent in path.parents if not parent.exists()]):
-        missing.mkdir()
-        undo.callback(_remove_empty, missing)
+@contextmanager
+def _told(target: Path) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise EnvironmentFailure(f"{target}: cannot be written: {error.strerror}") from None
 
 
 def _remove_empty(folder: Path) -> None:

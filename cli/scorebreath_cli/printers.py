@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 EVENT_SCHEMA = "scorebreath.event/1"
 Row = Mapping[str, Any]
-STAGES = {"speak": "Speaking", "staging": "Resampling", "engine": "Rendering", "writing": "Writing"}
+STAGES = {"speak": "Speaking", "sound": "Rendering"}
 """Stages of a long command, in their order, and what people are told."""
 
 
@@ -72,7 +72,7 @@ class JsonPrinter:
 
     def progress(self, stage: str, fraction: float) -> None:
         """`progress`, at most once a percent."""
-        percent = int(fraction * 100)
+        percent = round(fraction * 100)
         if (stage, percent) != self._last:
             self._last = (stage, percent)
             self._emit("progress", source=self._source, stage=stage, fraction=percent / 100)
@@ -148,6 +148,7 @@ class HumanPrinter:
 
     def table(self, event: str, rows: Sequence[Row], columns: Sequence[str], below: Sequence[str] = ()) -> None:
         """Ruled on a terminal; elsewhere plain columns, one line a row."""
+        self.close()
         if not sys.stdout.isatty():
             _print("\n".join(plain_table(rows, columns)))
             return
@@ -177,6 +178,7 @@ class HumanPrinter:
 
     def item(self, event: str, row: Row, text: str) -> None:
         """The text, on stdout."""
+        self.close()
         _print(text)
 
     def failed(self, failure: Failure, source: str = "") -> None:

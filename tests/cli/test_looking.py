@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
 import subprocess
@@ -14,9 +15,13 @@ from jsonschema import Draft202012Validator
 from scorebreath_cli.app import COMMANDS
 from scorebreath_cli.printers import plain_table
 
+from scorebreath.engine.engines import DEFAULT as DEFAULT_ENGINE
+from scorebreath.engine.engines import ENGINES
 from scorebreath.parameters.derive import derive
 from scorebreath.parameters.presets import load_preset, names
 from scorebreath.parameters.table import Parameters
+from scorebreath.speech.voices import DEFAULT as DEFAULT_VOICE
+from scorebreath.speech.voices import list_voices
 from tests.cli.running import ENVIRONMENT, PROGRAM, events, run, spawn
 
 
@@ -80,6 +85,50 @@ def test_a_preset_shown_is_a_preset_file(tmp_path: Path) -> None:
     assert load_preset(str(tmp_path / "mine.toml")).values == load_preset("stylised").values
 
 
+def test_voices_are_listed_with_their_licences() -> None:
+    rows = {row["name"]: row for row in events(run("voices", "--json").stdout)}
+    assert rows["espeak"]["licence"] == "GPL-3.0-or-later"
+    assert {"en-US", "de"} <= set(rows["espeak"]["languages"])
+    assert all(row["provenance"] and row["licence"] for row in rows.values())
+    table = run("voices").stdout
+    assert all(name in table and row["licence"] in table for name, row in rows.items())
+
+
+def test_the_doctor_tries_everything() -> None:
+    result = run("doctor", "--json")
+    told = [event for event in events(result.stdout) if event["event"] == "check"]
+    state = {(check["kind"], check["name"]): check["state"] for check in told}
+    assert {name for kind, name in state if kind == "engine"} == set(ENGINES)
+    assert {name for kind, name in state if kind == "voice"} == {voice.name for voice in list_voices()}
+    assert state["engine", DEFAULT_ENGINE] == state["voice", DEFAULT_VOICE] == "works"
+    assert result.exit_code == 0
+    assert events(result.stdout)[-1] == {"schema": "scorebreath.event/1", "event": "done", "status": 0, "broken": []}
+    assert all(check["what"] and (check["state"] == "works" or check["remedy"]) for check in told)
+
+
+def test_the_doctor_says_how_to_get_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SCOREBREATH_SCSYNTH", "/nowhere/scsynth")
+    find_spec = importlib.util.find_spec
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None if name == "nanosynth" else find_spec(name))
+    result = run("doctor", "--json")
+    state = {check["name"]: check for check in events(result.stdout) if check["event"] == "check"}
+    assert (state["embedded"]["state"], state["scsynth"]["state"]) == ("missing", "missing")
+    assert "pip install nanosynth" in state["embedded"]["remedy"]
+    assert "apt install supercollider-server" in state["scsynth"]["remedy"]
+    assert "/nowhere/scsynth" in state["scsynth"]["what"]
+    assert result.exit_code == 3
+    assert run("doctor").stderr == "scorebreath: needed but not working: embedded\n"
+
+
+def test_the_doctor_hears_silence(monkeypatch: pytest.MonkeyPatch) -> None:
+    from scorebreath.engine import onsets
+
+    monkeypatch.setattr(onsets, "_of", lambda *_: iter(()))
+    state = {check["name"]: check for check in events(run("doctor", "--json").stdout) if check["event"] == "check"}
+    assert state["embedded"]["state"] == "broken"
+    assert "silence" in state["embedded"]["what"]
+
+
 def test_the_schema_is_a_schema() -> None:
     schema = json.loads(run("schema").stdout)
     Draft202012Validator.check_schema(schema)
@@ -113,7 +162,9 @@ def test_without_a_command_there_is_help() -> None:
     assert "Usage: scorebreath" in result.output
 
 
-@pytest.mark.parametrize("wrong", ["rendr", "render --colour x", "params --sett x", "schema extra", "render a.txt"])
+@pytest.mark.parametrize(
+    "wrong", ["rendr", "render --colour x", "params --sett x", "schema extra", "render a.txt", "compile a --seed ten"]
+)
 def test_bad_usage_is_status_2(wrong: str) -> None:
     result = spawn(*wrong.split())
     assert (result.returncode, result.stdout) == (2, b"")

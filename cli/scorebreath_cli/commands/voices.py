@@ -8,8 +8,8 @@ from scorebreath_cli import options as o
 from scorebreath_cli import printers
 from scorebreath_cli.failures import reporting
 
-COLUMNS = ("voice", "engine", "version", "licence", "languages", "sample_rate", "deterministic", "provenance")
-BELOW = ("licence", "provenance", "languages")
+COLUMNS = ("name", "engine", "version", "installed", "deterministic", "licence", "provenance", "how", "languages")
+BELOW = COLUMNS[5:]
 
 
 def voices(json_lines: o.Json = False, debug: o.Debug = False) -> None:
@@ -20,5 +20,4 @@ def voices(json_lines: o.Json = False, debug: o.Debug = False) -> None:
     with reporting(lambda: printers.make(json_lines), debug=debug) as printer:
         from scorebreath.speech.voices import list_voices
 
-        rows = [{**asdict(voice), "languages": list(voice.languages)} for voice in list_voices()]
-        printer.table("voice", rows, COLUMNS, BELOW)
+        printer.table("voice", [asdict(voice) for voice in list_voices()], COLUMNS, BELOW)
