@@ -88,13 +88,10 @@ class Bernardet2017(Chunker):
     def _search_for_next(self, text: Sequence[Unit], split: int, over: bool) -> list[Marker] | None:
         """The next "." and the next "_", nearest first, as many as the decision needs; None if it needs more text."""
         found: list[Marker] = []
-        for marker in ahead(text, split, self._period):
-            if marker.distance > SEARCH * self._limit:
-                return found
+        reach = SEARCH * self._limit
+        for marker in ahead(text, split, self._period, reach):
             if not any(marker.kind == other.kind for other in found):
                 found.append(marker)
                 if len(found) == 2 or marker.distance > self._limit:
                     return found
-        if over or known(text, split) > SEARCH * self._limit:
-            return found
-        return None
+        return found if over or known(text, split) > reach else None

@@ -86,10 +86,9 @@ class Bernardet2019(Chunker):
             if marker.kind == PRIORITIES[0]:
                 reach = -marker.distance
                 break
-        for marker in ahead(text, split, self._period):
-            if marker.distance <= reach:
-                nearest.setdefault((marker.kind, True), marker)
-            if marker.distance > reach or marker.kind == PRIORITIES[0]:
+        for marker in ahead(text, split, self._period, reach):
+            nearest.setdefault((marker.kind, True), marker)
+            if marker.kind == PRIORITIES[0]:
                 certain = True
                 break
         return sorted(nearest.values(), key=_rank) if certain or known(text, split) > reach else None

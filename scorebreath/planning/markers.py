@@ -42,18 +42,21 @@ class Marker:
         return f"{self.kind!r} {abs(self.distance)} characters {'behind' if self.distance < 0 else 'ahead'}"
 
 
-def ahead(text: Sequence[Unit], split: int, period: PeriodMarker) -> Iterator[Marker]:
-    """Markers from the split point on, the nearest first, as far as the text is known.
+def ahead(text: Sequence[Unit], split: int, period: PeriodMarker, reach: float) -> Iterator[Marker]:
+    """Markers from the split point on, the nearest first, up to `reach` characters away, as far as the text is known.
 
     Args:
         text: Units that are left.
         split: How many of them lie before the split point, at least 1.
         period: What counts as ".".
+        reach: Characters.
     """
     point = text[split - 1].letters.end
     for index in range(split - 1, len(text)):
+        if text[index].start - point > reach:
+            return
         for kind, place, count in _of(text, index, period):
-            if place >= point:
+            if point <= place <= point + reach:
                 yield Marker(kind=kind, distance=place - point, count=count)
 
 
@@ -65,7 +68,7 @@ def behind(text: Sequence[Unit], split: int, period: PeriodMarker, reach: float)
     point = text[split - 1].letters.end
     for index in range(split - 1, -1, -1):
         for kind, place, count in reversed(_of(text, index, period)):
-            if count and place < point and point - place <= reach:
+            if count and point - reach <= place < point:
                 yield Marker(kind=kind, distance=place - point, count=count)
         if point - text[index].start > reach:
             return
