@@ -72,7 +72,7 @@ class Compiler:
         lead, tail = seconds("lead", options.lead, LEAD), seconds("tail", options.tail, TAIL)
         self._printer.progress("speak", 0.0)
         meanwhile()
-        return compile_text(
+        score = compile_text(
             text,
             parameters=parameters,
             voice=voice,
@@ -86,6 +86,8 @@ class Compiler:
             file=source.name,
             on_progress=lambda fraction: self._printer.progress("speak", fraction),
         )
+        self._printer.progress("speak", 1.0)
+        return score
 
     def __enter__(self) -> Self:
         """The compiler."""
