@@ -26,7 +26,8 @@ def step_edges(frames: int, sample_rate: float, step: float) -> NDArray[np.int64
         step: s.
 
     Returns:
-        (k + 1,) frame numbers from 0 to `frames`; the k steps cover the sound, the last one maybe in part.
+        (k + 1,) frame numbers from 0 to `frames`; the k steps cover the sound, the last one maybe in part, and each
+        holds a frame.
 
     >>> step_edges(500, 22050, 0.01).tolist()
     [0, 221, 441, 500]
@@ -47,7 +48,7 @@ def level_db(samples: NDArray[Any], sample_rate: float, step: float = STEP) -> N
         step: s.
 
     Returns:
-        (ceil(n / rate / step),) values, the first at half a step; at least `FLOOR_DB`, to a hundredth.
+        (k,) one value for each of `step_edges`, the first at half a step; at least `FLOOR_DB`, to a hundredth.
     """
     power = _power(samples, sample_rate, step)
     floor = 10.0 ** (FLOOR_DB / 10)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scorebreath.errors import MissingExtraError
+from scorebreath.signal.level import step_edges
 
 STEP = 0.005
 """s between two values"""
@@ -40,7 +40,7 @@ def pitch_hertz(
         ceiling: Hz; nothing above is found.
 
     Returns:
-        (ceil(n / rate / step),) Hz to a hundredth, the first at half a step; 0 where unvoiced.
+        (k,) Hz to a hundredth, one for each of `level.step_edges`, the first at half a step; 0 where unvoiced.
 
     Raises:
         MissingExtraError: parselmouth is not installed.
@@ -50,7 +50,7 @@ def pitch_hertz(
     except ImportError as error:
         raise MissingExtraError("parselmouth", "all") from error
 
-    count = math.ceil(round(len(samples) / sample_rate / step, 6))
+    count = len(step_edges(len(samples), sample_rate, step)) - 1
     if count == 0:
         return np.zeros(0, dtype=np.float64)
     # count steps, and on each side half a window less a quarter step, hold exactly count frames

@@ -161,7 +161,7 @@ class Library:
         try:
             with _short(self.data) as data:
                 options = _PHONEME_EVENTS | _PHONEME_IPA | _DONT_EXIT
-                if handle.espeak_Initialize(_SYNCHRONOUS, 0, os.fsencode(data), options) < 0:
+                if handle.espeak_Initialize(_SYNCHRONOUS, 0, os.fsencode(data), options) != SAMPLE_RATE:
                     raise OSError(f"eSpeak NG finds no data in {self.data}")
                 try:
                     _prepare(handle, settings)

@@ -98,8 +98,8 @@ def sounds_of(word: str) -> tuple[Sound, ...]:
 
     Letters beyond a-z are read without their marks; those of other scripts as m or a, by their number.
 
-    >>> "".join(sound.ipa for sound in sounds_of("Queen Anna"))
-    'kuana'
+    >>> "".join(sound.ipa for sound in sounds_of("Queenie"))
+    'kuni'
     """
     out: list[Sound] = []
     grouped = ""
@@ -114,7 +114,7 @@ def sounds_of(word: str) -> tuple[Sound, ...]:
 def _plain(word: str) -> str:
     """Letters a to z only."""
     letters = []
-    for character in unicodedata.normalize("NFKD", word.lower()):
+    for character in unicodedata.normalize("NFKD", word.casefold()):
         if character in VOWELS or character in CONSONANTS:
             letters.append(character)
         elif character.isdecimal():
