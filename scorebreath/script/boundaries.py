@@ -2,8 +2,8 @@
 
 pysbd takes white space, quotation marks, brackets and some rare characters in its own way: it breaks at every newline,
 treats all a person says between quotes as one sentence, and uses symbols as place holders. So it is shown a copy
-without quotes, brackets and emoticons, with single spaces; its answers are taken back to the text, and count only where a
-mark stands that can end a sentence. For languages it does not know, every such mark ends one.
+without quotes, brackets and emoticons, with single spaces; its answers are taken back to the text, and count only where
+a mark stands that can end a sentence. For languages it does not know, every such mark ends one.
 """
 
 from __future__ import annotations
@@ -50,8 +50,8 @@ def candidate(kinds: str, run: re.Match[str], limit: int) -> bool:
 def certain(text: str, kinds: str, start: int, end: int, language: str) -> bool | None:
     """Whether a candidate ends a sentence beyond doubt, so that pysbd need not be asked.
 
-    Beyond doubt are, in languages with a table, marks behind a word of two or more small letters that is no abbreviation,
-    followed by a single space and a capital. None where the text does not reach far enough to tell.
+    Beyond doubt are, in languages with a table, marks behind a word of two or more small letters that is no
+    abbreviation, followed by a single space and a capital. None where the text does not reach far enough to tell.
 
     Args:
         text: Text that is known.
@@ -215,7 +215,7 @@ def _abbreviations(language: str) -> frozenset[str]:
 
 @lru_cache(maxsize=16)
 def _segmenter(language: str) -> Callable[[str], list[str]] | None:
-    """pysbd's sentences of a text, or None for a language it does not know."""
+    """Sentences of a text by pysbd, or None for a language it does not know."""
     import pysbd
     from pysbd.languages import LANGUAGE_CODES
 

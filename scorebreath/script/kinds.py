@@ -5,7 +5,7 @@
 | `a` `d` `k` | letter, decimal digit, ideograph or kana (a word by itself) |
 | `m` | combining mark, joiner, variation selector, soft hyphen: part of the letter before it |
 | ` ` `n` `f` | space (control characters too), newline, form feed or paragraph separator |
-| `.` `!` `?` `e` `F` | full stop, exclamation and question mark, ellipsis, marks that end a sentence without a space after |
+| `.` `!` `?` `e` `F` | full stop, exclamation mark, question mark, ellipsis, full stops that need no space after |
 | `,` `;` `:` | comma, semicolon, colon |
 | `-` `N` `M` | hyphen, en dash or minus, em dash |
 | `(` `)` `"` `'` | brackets, quotation marks, apostrophe or single quotation mark |

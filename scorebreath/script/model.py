@@ -27,8 +27,8 @@ class ScriptWord:
     text: str
     """the word as written, without punctuation"""
     spoken: SpokenText
-    """as a voice is to say it, with its punctuation; source spans are absolute places in the text. Words are joined by a
-    space, but by nothing behind a `joint` edge"""
+    """as a voice is to say it, with its punctuation; source spans are absolute places in the text. Words are joined
+    by a space, but by nothing behind a `joint` edge"""
     words: tuple[str, ...]
     """the bare spoken words, for counting syllables: ("twenty", "three") for 23"""
     edge: Edge

@@ -1,9 +1,10 @@
 """Text in, sentences out: as the text arrives, or all at once.
 
-A sentence ends where pysbd says so when it is shown the text from the sentence's start to at least `AHEAD` code points
-behind the end. The rule looks at nothing further, so a sentence is given as soon as the start of the next one is known,
-and it is the same however the text was cut on its way here. Windows have at most `WINDOW` code points: what has no end in
-one is given in parts, cut at the strongest place of the window's second half. Blank lines and form feeds end everything.
+A sentence ends where nobody could doubt it, and else where pysbd says so when it is shown the text up to at least
+`AHEAD` code points behind the end: a rule that looks at nothing further. So a sentence is given as soon as the start of
+the next one is known, and it is the same however the text was cut on its way here. pysbd is quadratic: it sees windows
+of some hundred code points. What has no end within `LONGEST` is given in parts, cut at the strongest place of the
+second half. Blank lines and form feeds end everything.
 """
 
 from __future__ import annotations
@@ -18,16 +19,19 @@ from scorebreath.script.boundaries import END, candidate, certain, ends
 from scorebreath.script.decode import LIMIT, universal_newlines
 from scorebreath.script.kinds import kinds as kinds_of
 from scorebreath.script.model import Script, Sentence
-from scorebreath.script.sentence import make_sentence
+from scorebreath.script.sentence import Ending, make_sentence
 from scorebreath.script.verse import is_verse
 
-WINDOW = 2000
-"""Code points that pysbd is shown at most: 4 kB where letters take two bytes."""
 AHEAD = 40
 """Code points behind a sentence's end that may decide about it."""
-LEAST = 120
-"""Code points of a window, unless the paragraph ends before: keeps a text of tiny sentences cheap."""
+BEHIND = 160
+"""Code points before what is to be judged that pysbd is shown, at most from the sentence's start on."""
+STEP = 120
+"""Code points that are judged at a time, at least: keeps a text of tiny sentences cheap."""
+LONGEST = 4000
+"""Code points of a sentence. What has no end within them is given in parts."""
 
+_SPACE = re.compile("[ n]")
 _LETTER = re.compile(r"[adk]")
 _BREAK = re.compile(r"n *n|f")
 _LEAD = re.compile(r"(?:(?<![^ n])S )?[^ nfF]{0,16}$")
@@ -107,7 +111,9 @@ class Reader:
         """Append to the buffer, letting go of what is done with, but for one code point."""
         if match := _SURROGATE.search(piece):
             place = self._base + len(self._text) + match.start()
-            raise ScriptError(f"half of a surrogate pair (U+{ord(match.group()):04X}) at character {place}", expected="text")
+            raise ScriptError(
+                f"half of a surrogate pair (U+{ord(match.group()):04X}) at character {place}", expected="text"
+            )
         if self._at > _TRIM or self._at * 2 > len(self._text):
             drop = max(0, self._at - 1)
             self._text, self._kinds = self._text[drop:], self._kinds[drop:]
@@ -161,35 +167,39 @@ class Reader:
         return None
 
     def _judge(self) -> bool:
-        """Find the next ends, in growing windows; False if more text is needed."""
+        """Find where the next sentences end, looking further step by step; False if more text is needed."""
         start, known = self._at, len(self._text)
-        cap = start + WINDOW
-        least, judged = start + LEAST, start
+        cap = start + LONGEST
+        judged = start
         while True:
             first = self._candidate(start, judged, min(known, cap))
-            end = cap if first is None else min(cap, max(first[1] + AHEAD, least))
-            if first and judged == start:
-                sure = certain(self._text, self._kinds, *first, self._language)
-                if sure:
-                    self._ends, self._complete = [first[1]], True
-                    return True
+            end = cap if first is None else min(cap, max(first[1] + AHEAD, judged + STEP))
+            sure = first and judged == start and certain(self._text, self._kinds, *first, self._language)
+            if first and sure:
+                self._ends, self._complete = [first[1]], True
+                return True
             apart = _BREAK.search(self._kinds, start, min(known, end))
             final = apart is not None or (self._over and known <= end)
             if final:
                 end = apart.start() if apart else known
-            if end > known or (not final and first and judged == start and sure is None):
+            if end > known or (sure is None and first and not final):
                 return False
-            found: list[int] = []
-            if first and first[1] < end:
-                places = ends(self._text[start:end], self._kinds[start:end], self._language, final=final)
-                found = [start + place for place in places if final or start + place <= end - AHEAD]
+            found = self._asked(max(start, judged - BEHIND), judged, end, final) if first and first[1] < end else []
             if final and found[-1:] != [end]:
                 found.append(end)
             self._complete = bool(found)
             self._ends = found or ([self._part(start, cap)] if end == cap else [])
             if self._ends:
                 return True
-            judged, least = end - AHEAD, start + 2 * (end - start)
+            judged = end - AHEAD
+
+    def _asked(self, start: int, judged: int, end: int, final: bool) -> list[int]:
+        """Ends between `judged` and `end` as pysbd sees them, shown the text from about `start` on."""
+        if start > self._at and (space := _SPACE.search(self._kinds, start, judged)):
+            start = space.end()
+        places = ends(self._text[start:end], self._kinds[start:end], self._language, final=final)
+        found = (start + place for place in places)
+        return [place for place in found if place > judged and (final or place <= end - AHEAD)]
 
     def _candidate(self, start: int, after: int, limit: int) -> tuple[int, int] | None:
         """The first marks from `start` on that may end a sentence behind `after`."""
@@ -200,7 +210,7 @@ class Reader:
 
     def _part(self, start: int, cap: int) -> int:
         """Where to cut what has no end."""
-        half = start + WINDOW // 2
+        half = start + LONGEST // 2
         for pattern in _CUTS:
             if (match := pattern.match(self._kinds, half, cap)) and match.end() > half:
                 return match.end()
@@ -222,9 +232,16 @@ class Reader:
             return
         gap = "".join(raw.gap)
         apart = _BREAK.search(kinds_of(gap)) is not None
-        edge = "paragraph" if apart or last else "sentence" if raw.complete else None
+        edge: Ending | None = "paragraph" if apart or last else "sentence" if raw.complete else None
         sentence = make_sentence(
-            raw.text, gap, raw.start, language=self._language, poem=self._poem, line=raw.line, stanza=self._stanza, edge=edge
+            raw.text,
+            gap,
+            raw.start,
+            language=self._language,
+            poem=self._poem,
+            line=raw.line,
+            stanza=self._stanza,
+            edge=edge,
         )
         self._line = raw.line + raw.text.count("\n") + gap.count("\n")
         self._stanza += apart
@@ -246,7 +263,9 @@ def read(text: str, *, language: str = "en", poem: bool | None = None, file: str
     """
     text = universal_newlines(text.removeprefix("\ufeff"))
     if len(text) > LIMIT:
-        raise ScriptError(f"{len(text)} characters", expected=f"at most {LIMIT}: render a long work in parts", file=file)
+        raise ScriptError(
+            f"{len(text)} characters", expected=f"at most {LIMIT}: render a long work in parts", file=file
+        )
     if match := _SURROGATE.search(text):
         line = text.count("\n", 0, match.start()) + 1
         column = match.start() - text.rfind("\n", 0, match.start())

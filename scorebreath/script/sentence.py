@@ -10,6 +10,9 @@ from scorebreath.script.normalise.tables import tables
 from scorebreath.script.words import cut
 from scorebreath.spans import Span
 
+Ending = Literal["paragraph", "sentence"]
+"""What can end with a sentence."""
+
 _QUESTION = frozenset("?？؟⁇⁉⁈‽՞፧")
 _EXCLAMATION = frozenset("!！‼")
 _ENDING: dict[SentenceType, str] = {"statement": ".", "question": "?", "exclamation": "!"}
@@ -24,7 +27,7 @@ def make_sentence(
     poem: bool,
     line: int,
     stanza: int,
-    edge: Literal["paragraph", "sentence"] | None,
+    edge: Ending | None,
 ) -> Sentence | None:
     """Read one sentence.
 

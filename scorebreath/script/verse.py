@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 BREAKS = 3
 """Line breaks inside stanzas it takes to tell."""
@@ -20,15 +21,15 @@ _STANZA = re.compile(r"\n[^\S\n]*\n|[\f\u2029]")
 
 
 def is_verse(text: str) -> bool:
-    """Whether the lines of `text` are lines of verse, to be kept in speech.
+    r"""Whether the lines of `text` are lines of verse, to be kept in speech.
 
     Four signs, all needed: at least `BREAKS` line breaks inside stanzas; short lines; lines that mostly do not end as
     sentences do; and line breaks that come early. The last one tells verse from prose that was wrapped, at whatever
     width: wrapping breaks a line only where the next word does not fit into the longest line any more.
 
-    >>> is_verse("Es gingen zwei Parallelen\\nins Endlose hinaus,\\nzwei kerzengerade Seelen\\nund aus solidem Haus.")
+    >>> is_verse("Es gingen zwei Parallelen\nins Endlose hinaus,\nzwei kerzengerade Seelen\nund aus solidem Haus.")
     True
-    >>> is_verse("A text that was wrapped\\nat two dozen columns by\\nan editor is not verse:\\nits lines are full.")
+    >>> is_verse("A text that was wrapped\nat two dozen columns by\nan editor is not verse:\nits lines are full.")
     False
     """
     lines: list[str] = []
@@ -36,7 +37,7 @@ def is_verse(text: str) -> bool:
     for stanza in _STANZA.split(text):
         inside = [line.rstrip() for line in stanza.split("\n") if line.strip()]
         lines += inside
-        breaks += [(len(line), len(after.split(maxsplit=1)[0])) for line, after in zip(inside, inside[1:], strict=False)]
+        breaks += [(len(line), len(after.split(maxsplit=1)[0])) for line, after in pairwise(inside)]
     if len(breaks) < BREAKS:
         return False
     longest = max(len(line) for line in lines)

@@ -44,9 +44,10 @@ _EDGES: tuple[tuple[re.Pattern[str], Edge, str], ...] = (
     (re.compile(r"M|--|(?<=[ n])[-N](?=[ n])|[()]"), "semicolon", ","),
     (re.compile(r","), "comma", ","),
 )
-"""What stands between two words, in kinds: the edge it makes, and the mark a voice is given for it; first match wins.
+"""What stands between two words, in kinds: the edge it makes, and the mark a voice gets for it; first match wins.
 
-A single full stop inside a sentence belongs to an abbreviation or a number and makes no edge, unless quotes close on it.
+A single full stop inside a sentence belongs to an abbreviation or a number and makes no edge, unless quotes close
+on it.
 """
 
 
@@ -179,10 +180,12 @@ def _has_letter(shown: str, start: int, end: int) -> bool:
 
 def _hang(between: str, end: int) -> tuple[int, int]:
     """Where a word's punctuation ends and the next word's begins, from the kinds between their letters."""
+    if between == " ":
+        return end, end + 1
     if " " not in between and "n" not in between:
         opening = _OPENING.search(between)
         stop = end + (opening.start() if opening and opening.start() else len(between))
-        return (stop, stop)
+        return stop, stop
     lead = _LEAD.search(between)
     following = lead.start() if lead else len(between)
     left = between[:following].rstrip(" n")

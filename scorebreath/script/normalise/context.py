@@ -18,7 +18,7 @@ class Said(NamedTuple):
     """How one word, or several together, are said."""
 
     parts: Sequence[Part]
-    count: int = 1
+    taken: int = 1
     """words it takes"""
     stop: bool = False
     """whether the full stop behind them belongs to them: "Dr." """

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from scorebreath.script.normalise.amounts import has_figures, unit_of
 from scorebreath.script.normalise.context import Context, Part, Said
+from scorebreath.script.normalise.figures import has_figures, unit_of
 from scorebreath.script.normalise.numbers import cardinal, ordinal
 from scorebreath.spans import Span
 

@@ -8,9 +8,10 @@ from collections.abc import Iterator, Sequence
 
 from scorebreath.script.kinds import kinds
 from scorebreath.script.model import ScriptWord
-from scorebreath.script.normalise.amounts import has_figures, say_amount
+from scorebreath.script.normalise.amounts import say_amount
 from scorebreath.script.normalise.clean import clean, is_link, read_link
 from scorebreath.script.normalise.context import Context, Part, Said
+from scorebreath.script.normalise.figures import has_figures
 from scorebreath.script.normalise.names import say_name
 from scorebreath.script.normalise.tables import Tables
 from scorebreath.script.words import Written
@@ -31,19 +32,17 @@ def speak(words: Sequence[Written], tables: Tables, text: str, start: int) -> It
     index = 0
     while index < len(words):
         word = words[index]
-        if not tables.known or _as_written(word, tables):
-            said = None
-        else:
-            said = _say(Context(words, index, tables))
+        ruled = tables.known and not _as_written(word, tables)
+        said = _say(Context(words, index, tables)) if ruled else None
         if said is None and word.plain and (word.text.isascii() or unicodedata.is_normalized("NFKC", word.text)):
             yield _plain(word)
             index += 1
             continue
         if said is None or not any(part for part, _ in said.parts):
             said = Said(clean(word.text, word.core.start, tables) or [(word.text, word.core)])
-        last = words[index + said.count - 1]
+        last = words[index + said.taken - 1]
         yield _spoken(word, last, said, text[word.core.start - start : last.core.end - start])
-        index += said.count
+        index += said.taken
 
 
 def _as_written(word: Written, tables: Tables) -> bool:
@@ -65,7 +64,9 @@ def _say(context: Context) -> Said | None:
         return say_amount(context)
     if word.text in tables.symbol:
         before = context.before
-        return context.one(tables.one.get(word.text, tables.symbol[word.text]) if before == "1" else tables.symbol[word.text])
+        return context.one(
+            tables.one.get(word.text, tables.symbol[word.text]) if before == "1" else tables.symbol[word.text]
+        )
     return None
 
 
