@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import lru_cache
 
 from scorebreath.script.normalise.context import Context, Said
 from scorebreath.script.normalise.dates import date, decade, dotted_date, in_context, stopwatch, suffixed, time_of_day
