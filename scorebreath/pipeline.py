@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from importlib import metadata
 
 from scorebreath.compose.models import breathing_model
@@ -15,13 +15,16 @@ from scorebreath.planning.model import BreathGroup, SyllableCounter, plan
 from scorebreath.planning.planners import open_planner
 from scorebreath.score.document import Body, Group, MediaInfo, Score, VoiceInfo
 from scorebreath.score.events import Event, Pause
-from scorebreath.script.model import Script
+from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import read
 from scorebreath.speech.model import Speech, SpeechRequest, Voice
 from scorebreath.units import snap
 
 BODY = "body"
 """Id of the only body of a compiled text."""
+
+SENTENCES_AT_ONCE = 200
+"""whose syllables a voice is asked for together"""
 
 Progress = Callable[[float], None]
 
@@ -113,7 +116,16 @@ def compile_text(
 
 def plan_script(script: Script, *, parameters: Parameters, model: str, count: SyllableCounter) -> Iterator[BreathGroup]:
     """Breath groups of a script, as the model's planner cuts them (the papers' planners count with pyphen)."""
-    return plan(open_planner(model, parameters, script.language, count, poem=script.poem), script.sentences)
+    planner = open_planner(model, parameters, script.language, count, poem=script.poem)
+    return plan(planner, _counted(script.sentences, count))
+
+
+def _counted(sentences: Sequence[Sentence], count: SyllableCounter) -> Iterator[Sentence]:
+    """The sentences, their words counted many at a time: a voice that speaks answers a question only in between."""
+    for first in range(0, len(sentences), SENTENCES_AT_ONCE):
+        block = sentences[first : first + SENTENCES_AT_ONCE]
+        count([spoken for sentence in block for word in sentence.words for spoken in word.words])
+        yield from block
 
 
 def speak(groups: Iterable[BreathGroup], voice: Voice, media: MediaStore, parameters: Parameters) -> Iterator[Spoken]:
