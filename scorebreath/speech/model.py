@@ -87,7 +87,7 @@ class Voice(Protocol):
         """Active RMS of one calibration sentence at the voice's own rate and pitch, dB re full scale."""
 
     def speak(self, request: SpeechRequest) -> Speech:
-        """Speak one breath group.
+        """Speak one breath group; where there is nothing to say, a short silence that is one pause.
 
         Raises:
             VoiceError: It crashed twice, or missed its deadline twice.

@@ -30,10 +30,11 @@ _BOOT = "import json, sys; sys.path[:] = json.loads(sys.argv.pop(1)); from {modu
 def module_command(module: str, *arguments: str) -> tuple[str, ...]:
     """The command that runs `main()` of a module in a new interpreter.
 
-    It finds what this one finds: a checkout on `sys.path` serves as well as an installed package.
+    It finds what this one finds: a checkout on `sys.path` serves as well as an installed package. A file in the working
+    directory named like a module is not taken for it (`-P`).
     """
     path = [str(Path(entry).resolve()) for entry in sys.path if isinstance(entry, str)]
-    return (sys.executable, "-c", _BOOT.format(module=module), json.dumps(path), *arguments)
+    return (sys.executable, "-P", "-c", _BOOT.format(module=module), json.dumps(path), *arguments)
 
 
 class Process:

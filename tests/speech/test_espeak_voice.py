@@ -153,6 +153,19 @@ def test_reference_is_the_active_level_of_speech(english: EspeakVoice) -> None:
     assert np.mean(levels) == pytest.approx(english.reference_db, abs=1.5)
 
 
+@pytest.mark.parametrize("language", ["fr", "ja", "kl", "cv"])
+def test_every_language_has_a_reference(language: str) -> None:
+    """Greenlandic dies of the figures that most are measured on, and Chuvash leaves them out."""
+    with EspeakVoice(language) as voice:
+        assert -26 < voice.reference_db < -16
+
+
+def test_a_reference_that_cannot_be_measured_is_an_error() -> None:
+    for language in ("en", "fr"):
+        with EspeakVoice(language, command=(sys.executable, "-c", "")) as voice, pytest.raises(VoiceError):
+            _ = voice.reference_db
+
+
 def test_speaking_all_is_speaking_each(english: EspeakVoice) -> None:
     """More than one worker takes part in it, and syllables are asked for in between, as a planner does."""
     texts = [f"This is sentence {number}." for number in range(10)] * 2
