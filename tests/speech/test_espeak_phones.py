@@ -135,7 +135,8 @@ def test_whatever_the_events_pieces_are_in_order_and_inside(
         assert found[-1].ipa
         assert all(before.ipa or after.ipa for before, after in pairwise(found))
     spoken = sum(ipa not in ("", "(en)", "ʲ") for ipa, _ in events)
-    assert sum(bool(piece.ipa) for piece in found) in (spoken, spoken + 1), "a modifier at the start is a phone"
+    alone = sum(ipa == "ʲ" for ipa, _ in events)
+    assert spoken <= sum(bool(piece.ipa) for piece in found) <= spoken + alone, "a mark with no phone before it is one"
 
 
 CLOSED = {"en": "Peter picked a stack of tea packets.", "de": "Peter packte Tante Käthes Teepaket."}
