@@ -1,8 +1,8 @@
 """Breath groups as people make them: the cheapest way to breathe through a paragraph (physiology 1.1, 1.2).
 
 Three costs, all of them negative logarithms of probabilities: how readily one breathes at a boundary of that kind, or
-passes it by with most of the budget used (`sites.READINESS`); how far a group is from the preferred length (lognormal);
-and the breath itself, which is never exceeded. `lattice` finds the optimum.
+passes it by with some of the budget used (`sites.READINESS`); how far a group is from the preferred length (lognormal);
+and the breath: what it takes beyond an easy one, up to a limit that is never exceeded. `lattice` finds the optimum.
 
 A group is released when it is certain. Within a paragraph that is when all plans that later text could still make the
 cheapest begin with it: every plan has a cut among the last words, as many as one breath holds, so the cheapest plans to
@@ -32,8 +32,13 @@ SPREAD = 0.45
 outcomes, and the cheapest plan keeps clear of the tails: a milder cost makes its groups spread as widely."""
 BUDGET = 0.35
 """Share of the preferred length from which on a boundary is passed at a cost (physiology 1.2: 0.6)."""
-BREATH = 0.40
-"""Vital capacity one breath can use: from 65 % (initiation, loud) to 25 % (lowest termination; physiology 2.2)."""
+EASY = 0.27
+"""Vital capacity that a breath uses with ease: from 52 % (usual initiation) to 25 % (lowest termination;
+physiology 2.2)."""
+DEEPER = 0.05
+"""Standard deviation of what deeper breaths take on top (physiology 2.2: SD of the initiation)."""
+DEEPEST = 0.40
+"""The most one breath can use: from 65 % (initiation, loud) to 25 %."""
 LONGEST = 12.5
 """Seconds from the inspiration's onset to the last phone (physiology 1.1; B52: 12.6)."""
 RATE = 5.0
@@ -59,7 +64,7 @@ class Natural(Chunker):
         super().__init__(count, self.most, poem)
         self.preferred = derive(parameters).length_utterance
         self._words = function_words(language)
-        self._length = length_costs(self.preferred, self.most)
+        self._length = length_costs(self.preferred, self.most, syllable_volume(parameters))
         self._settled: deque[Cut] = deque()
         self._lattice = self._fresh()
 
@@ -134,24 +139,37 @@ def most_syllables(parameters: Parameters) -> int:
     57
     """
     p = parameters
-    by_volume = BREATH * p.capacity_lung / 100.0 / p.volume_per_syllable
+    by_volume = DEEPEST / syllable_volume(p)
     by_time = (LONGEST - p.inspiration_base - p.silence_after_breath) / (
         1.0 / (RATE * p.prosody_rate) + p.inspiration_per_syllable
     )
     return max(1, int(min(by_volume, by_time)))
 
 
-def length_costs(preferred: float, most: int) -> list[float]:
-    r"""Cost of groups of 0 to `most` syllables: :math:`\ln^2(n / m) / 2 \sigma^2`.
+def syllable_volume(parameters: Parameters) -> float:
+    """What one syllable takes of the person's own vital capacity, as a fraction.
 
-    The median :math:`m = preferred \cdot e^{-\sigma^2 / 2}` is what makes `preferred` the distribution's mean.
+    >>> syllable_volume(Parameters(capacity_lung=50.0))
+    0.018
+    """
+    return parameters.volume_per_syllable * 100.0 / parameters.capacity_lung
 
-    >>> costs = length_costs(18.0, 44)
-    >>> costs.index(min(costs)), round(costs[8], 2), round(costs[31], 2)
-    (16, 1.24, 1.03)
+
+def length_costs(preferred: float, most: int, volume: float) -> list[float]:
+    r"""Cost of groups of 0 to `most` syllables, each taking `volume` of the lungs.
+
+    :math:`\ln^2(n / m) / 2 \sigma^2`, with the median :math:`m = preferred \cdot e^{-\sigma^2 / 2}` that makes
+    `preferred` the mean; beyond an easy breath also :math:`(n \cdot volume - EASY)^2 / 2 \cdot DEEPER^2`.
+
+    >>> costs = length_costs(18.0, 44, 0.009)
+    >>> costs.index(min(costs)), round(costs[8], 2), round(costs[30], 2), round(costs[41], 2)
+    (16, 1.24, 0.93, 4.07)
     """
     median = preferred * exp(-(SPREAD**2) / 2.0)
-    return [log(max(1, n) / median) ** 2 / (2.0 * SPREAD**2) for n in range(most + 1)]
+    return [
+        (log(max(1, n) / median) / SPREAD) ** 2 / 2.0 + (max(0.0, n * volume - EASY) / DEEPER) ** 2 / 2.0
+        for n in range(most + 1)
+    ]
 
 
 def _clear(text: Sequence[Unit], index: int) -> bool:

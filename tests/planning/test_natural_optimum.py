@@ -74,7 +74,7 @@ def every_plan(size: int) -> Iterator[tuple[int, ...]]:
 def test_the_lattice_finds_what_brute_force_finds(
     stretch: list[tuple[int, Site, float]], preferred: float, most: int, share: float
 ) -> None:
-    length, budget = length_costs(preferred, most), share * preferred
+    length, budget = length_costs(preferred, most, 0.01), share * preferred
     lattice = Lattice(length, budget)
     for syllables, site, probability in stretch:
         lattice.add(syllables, Boundary(site, -log(probability), -log(1.0 - probability)))
@@ -99,7 +99,7 @@ def test_what_is_settled_early_is_what_the_whole_text_would_settle(
     stretch: list[tuple[int, Site, float]], preferred: float, share: float
 ) -> None:
     """Cutting off the certain beginning again and again gives a plan as cheap as one search over everything."""
-    length, budget = length_costs(preferred, 30), share * preferred
+    length, budget = length_costs(preferred, 30, 0.01), share * preferred
     whole, rolling = Lattice(length, budget), Lattice(length, budget)
     ends: list[int] = [0]
     for syllables, site, probability in stretch:
@@ -215,7 +215,7 @@ def test_settling_early_does_not_change_the_plan_of_a_long_paragraph() -> None:
     )
     text = (sentence + "He slept. " + sentence.replace("harbour", "long and quiet beach")) * 12
     planner = Natural(Parameters(), "en", vowel_counter)
-    whole = Lattice(length_costs(planner.preferred, planner.most), natural.BUDGET * planner.preferred)
+    whole = Lattice(length_costs(planner.preferred, planner.most, 0.009), natural.BUDGET * planner.preferred)
     everything = units(text)
     for index, unit in enumerate(everything):
         whole.add(unit.syllables, boundary(everything, index, function_words("en")))
