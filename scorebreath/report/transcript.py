@@ -50,7 +50,7 @@ def transcript(score: Score, body: str, until: float) -> list[Piece]:
         source = said["source"]
         written = source is not None and source[0] >= at
         between = text[at : source[0]] if written and source else " "
-        head, tail = _split(between)
+        head, tail = _split(between) if at else ("", between)
         pieces.append({"text": head})
         if begins and group in starts:
             breath = starts[group]

@@ -104,8 +104,8 @@ def inspiration(
     onset: float,
     from_volume: float,
     *,
-    id: str = "i",
-    group: str | None = None,  # noqa: A002
+    id: str = "i",  # noqa: A002
+    group: str | None = None,
 ) -> Inspiration:
     """The inspiration of a breath."""
     length = breath.inspiration

@@ -61,7 +61,7 @@ def test_half_sine_flow() -> None:
 
 def test_airflow_in_litres() -> None:
     score = build([dataclasses.replace(PLAIN, inspiration=0.5, speech=2.0, to_volume=0.58)])
-    assert value(score, "airflow", -0.1, 0.2, 1.5, 3.0) == pytest.approx([0.0, 2.0, -0.5, 0.0])
+    assert value(score, "airflow", -0.1, 0.2, 0.5, 1.5, 2.5, 3.0) == pytest.approx([0.0, 2.0, -0.5, -0.5, 0.0, 0.0])
 
 
 def test_shapes_are_the_motion_times_the_volume_above_rest_within_their_range() -> None:
@@ -104,6 +104,14 @@ def test_face_is_a_trapezoid() -> None:
     score = score_of([event])
     assert value(score, "mouth_open", 0.8, 1.0, 1.2, 1.3, 1.45, 1.6) == pytest.approx([0.0, 0.25, 0.5, 0.5, 0.25, 0.0])
     assert value(score, "nostril_flare", 0.999, 1.1, 1.25, 1.45) == pytest.approx([0.0, 0.1, 0.2, 0.1])
+
+
+def test_a_face_rounded_longer_than_its_breath_ends_with_the_breath() -> None:
+    event = dataclasses.replace(
+        inspiration(PLAIN, 1.0, REST), face=Trapezoid(attack=0.2, hold=0.2, release=0.200002), mouth_open=1.0
+    )
+    before, after = value(score_of([event]), "mouth_open", 1.6, 1.6000015)
+    assert before > 0 == after
 
 
 def test_overlapping_leads_take_the_higher() -> None:

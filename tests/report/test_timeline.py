@@ -53,6 +53,14 @@ def test_sounds_and_breaths_stand_at_their_times() -> None:
             assert has(here, colour) == (colour in shown), (time, colour)
 
 
+def test_speech_begins_and_ends_to_the_pixel() -> None:
+    score = build([Breath(before=0.5, inspiration=1.0, after=0.5, speech=3.0)], tail=1.0)
+    foot = pixels(draw(score))[timeline.HEADER + int(timeline.SOUND.bottom) - 5]
+    found = np.flatnonzero(np.all(foot == np.array(ImageColor.getrgb(timeline.SPEECH)), axis=-1))
+    assert found[0] == pytest.approx(column(2.0, 6.0), abs=2)
+    assert found[-1] == pytest.approx(column(5.0, 6.0), abs=2)
+
+
 def test_the_line_is_the_lung_volume() -> None:
     score = build([Breath(before=0.5, inspiration=1.0, after=0.5, speech=3.0, to_volume=0.7)], tail=1.0)
     lung = pixels(draw(score))[timeline.HEADER + timeline.LUNG_TOP - 4 : timeline.HEADER + timeline.LUNG_BOTTOM]

@@ -46,6 +46,25 @@ def test_breaths_stand_before_their_words() -> None:
     assert breath == {"onset": 0.1, "end": 0.7, "depth": 0.16}
 
 
+def test_marks_stay_with_the_word_they_follow_or_open() -> None:
+    score = build([Breath(text="(He) left.")])
+    pieces = transcript(said(score, (word("He", 0, (1, 3)), word("left", 0.5, (5, 9)))), "body", 9.0)
+    assert [piece.get("text", "breath") for piece in pieces] == ["breath", "(", "He", ") ", "left", "."]
+
+
+def test_a_breath_comes_after_the_marks_before_it_and_before_those_that_open() -> None:
+    score = build([Breath(text="He left."), Breath(text='"Why?"')])
+    first, second = score.of(Utterance)
+    bare = {
+        first.id: (word("He", 0, (0, 2)), word("left", 0.5, (3, 7))),
+        second.id: (word("Why", 0, (10, 13)),),
+    }
+    events = tuple(dataclasses.replace(e, words=bare[e.id]) if isinstance(e, Utterance) else e for e in score.events)
+    pieces = transcript(dataclasses.replace(score, events=events), "body", 99.0)
+    shown = [piece.get("text", "breath") for piece in pieces]
+    assert shown == ["breath", "He", " ", "left", ". ", "breath", '"', "Why", '?"']
+
+
 def test_words_for_one_written_word_are_one() -> None:
     score = build([Breath(text="I have 23 cats.")])
     pieces = transcript(
