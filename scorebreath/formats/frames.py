@@ -19,21 +19,6 @@ HIGHEST = 100_000
 Micros = NDArray[np.int64]
 
 
-def frame_rate(text: str) -> Fraction:
-    """A rate as people write it: `60`, `29.97` or, exactly, `30000/1001`.
-
-    Raises:
-        InputError: It is none, or not above 0 and at most 100,000.
-
-    >>> frame_rate("30000/1001")
-    Fraction(30000, 1001)
-    """
-    try:
-        return check_rate(Fraction(text))
-    except (ValueError, ZeroDivisionError):
-        raise InputError(f"fps={text!r} must be a number or a fraction such as 30000/1001") from None
-
-
 def check_rate(fps: Fraction) -> Fraction:
     """The rate itself.
 
