@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -15,20 +16,32 @@ from scorebreath.score.files import check_media, load
 from scorebreath.units import frame_count
 
 ROOT = Path(__file__).resolve().parents[2]
-EXAMPLES = sorted(path for path in (ROOT / "examples").glob("*.txt"))
+EXAMPLES = sorted((ROOT / "examples").glob("*.txt"))
+LANGUAGES = {"English": "en", "German": "de"}
+LISTED = {
+    name: LANGUAGES[language]
+    for name, language in re.findall(
+        r"^\| `([\w.]+)` \| [^|]+ \| (\w+) \|",
+        (ROOT / "examples" / "README.md").read_text(encoding="utf-8"),
+        re.MULTILINE,
+    )
+}
+"""Example: its language, as examples/README.md tells it."""
 MADE = {"mix.wav", "score.json", "speech", "curves.csv", "curves.json", "groups.csv", "timeline.png", "preview.html"}
-FPS = 60
+FPS = 25
 
 
-def test_the_examples_are_there() -> None:
-    assert {"forecast.txt"} <= {path.name for path in EXAMPLES} and len(EXAMPLES) >= 5
+def test_every_example_is_listed_and_every_listed_one_is_there() -> None:
+    assert {path.name for path in EXAMPLES} == set(LISTED)
+    assert "forecast.txt" in LISTED and set(LISTED.values()) == {"en", "de"}
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda p: p.name)
 def test_an_example_renders(example: Path, tmp_path: Path) -> None:
     paths = os.pathsep.join(str(ROOT / folder) for folder in ("", "cli", "synthdefs"))
+    options = ("-o", str(tmp_path / "out"), "--language", LISTED[example.name], "--fps", str(FPS))
     run = subprocess.run(
-        [sys.executable, "-m", "scorebreath_cli.main", "render", str(example), "-o", str(tmp_path / "out")],
+        [sys.executable, "-m", "scorebreath_cli.main", "render", str(example), *options],
         env={**os.environ, "PYTHONPATH": paths}, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr[-2000:]
@@ -39,7 +52,8 @@ def test_an_example_renders(example: Path, tmp_path: Path) -> None:
     check_media(score, media)
     text = example.read_text(encoding="utf-8")
     assert score.text.split() == text.split()
-    assert "".join("".join(group.text.split()) for group in score.groups) == "".join(text.replace("_", "").split())
+    said = "".join("".join(group.text.replace("_", " ").split()) for group in score.groups)
+    assert said == "".join(text.replace("_", " ").split())
     with soundfile.SoundFile(out / "mix.wav") as sound:
         assert sound.frames == frame_count(score.duration, sound.samplerate)
     with (out / "curves.csv").open(encoding="utf-8", newline="") as file:

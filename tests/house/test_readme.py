@@ -95,3 +95,29 @@ def test_every_python_example_runs(document: Path, elsewhere: Path, surroundings
         cwd=elsewhere, env=surroundings, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False,
     )  # fmt: skip
     assert run.returncode == 0, f"{document.name}\n{run.stdout[-2000:]}\n{run.stderr[-2000:]}"
+
+
+def tables(head: str) -> list[str]:
+    """First cells of the README's table that begins with `head`."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    rows = text[text.index(head) :].split("\n\n")[0].split("\n")[2:]
+    return [name for row in rows for name in re.findall(r"`([\w./]+)`", row.split("|")[1])]
+
+
+def test_the_table_of_commands_is_the_program_s() -> None:
+    from scorebreath_cli.app import app
+
+    known = {command.name or getattr(command.callback, "__name__", "") for command in app.registered_commands}
+    assert set(tables("| command |")) == {name.rstrip("_") for name in known}
+
+
+def test_the_table_of_columns_names_channels() -> None:
+    from scorebreath.curves.channels import CHANNELS
+
+    assert set(tables("| column |")) == {channel.name for channel in CHANNELS} - {"neck_pitch"}  # part of head_pitch
+
+
+def test_the_table_of_files_names_what_render_writes() -> None:
+    from scorebreath_cli.outputs import SET_FILES
+
+    assert set(tables("| file |")) == {*SET_FILES, "speech/"}
