@@ -5,13 +5,12 @@ from __future__ import annotations
 import io
 from dataclasses import dataclass
 
-from scorebreath_synthdefs.catalogue import breath_name
-
 from scorebreath.engine.engines import ENGINES, engine_named
 from scorebreath.engine.offline import render_sounds
 from scorebreath.engine.onsets import Onset
 from scorebreath.errors import EnvironmentFailure
 from scorebreath.media.store import MemoryStore
+from scorebreath_synthdefs.catalogue import breath_name
 
 _LENGTH = 0.06  # s of the breath that is tried
 _PATIENCE = 30.0  # s

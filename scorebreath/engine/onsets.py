@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from scorebreath_synthdefs.catalogue import SPEECH, breath_name
-from scorebreath_synthdefs.tracts import Route, Speaker
-
 from scorebreath.chance import ENGINE_SEEDS
 from scorebreath.equations.breath import NOSE_BELOW_MOUTH_DB
 from scorebreath.errors import ScoreError
 from scorebreath.score.document import Body, Score
 from scorebreath.score.events import Event, Expiration, Inspiration, Noise, Utterance
 from scorebreath.units import amplitude
+from scorebreath_synthdefs.catalogue import SPEECH, breath_name
+from scorebreath_synthdefs.tracts import Route, Speaker
 
 GENERATORS = 64
 """Random generators of an engine; breaths that overlap must not share one."""

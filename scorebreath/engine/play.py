@@ -6,9 +6,8 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from scorebreath_synthdefs.catalogue import synthdef
-
 from scorebreath.engine.onsets import Onset
+from scorebreath_synthdefs.catalogue import synthdef
 
 if TYPE_CHECKING:
     from supriya import Context

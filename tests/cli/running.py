@@ -9,8 +9,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from scorebreath_cli.app import app
 from typer.testing import CliRunner, Result
+
+from scorebreath_cli.app import app
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = (sys.executable, "-c", "from scorebreath_cli.main import main; main()")

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from scorebreath_cli.failures import GRAVITY, Status, failure_of, worst
 
 from scorebreath import errors
+from scorebreath_cli.failures import GRAVITY, Status, failure_of, worst
 from tests.cli.running import ENVIRONMENT, PROGRAM, events, run, spawn
 
 HOSTILE: dict[str, tuple[bytes, int]] = {

@@ -7,9 +7,9 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from scorebreath_cli.inputs import load_score, names_of, read_source
 
 from scorebreath.errors import InputError
+from scorebreath_cli.inputs import load_score, names_of, read_source
 
 
 @pytest.mark.parametrize(

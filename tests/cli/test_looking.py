@@ -12,8 +12,6 @@ from pathlib import Path
 
 import pytest
 from jsonschema import Draft202012Validator
-from scorebreath_cli.app import COMMANDS
-from scorebreath_cli.printers import plain_table
 
 from scorebreath.engine.engines import DEFAULT as DEFAULT_ENGINE
 from scorebreath.engine.engines import ENGINES
@@ -22,6 +20,8 @@ from scorebreath.parameters.presets import load_preset, names
 from scorebreath.parameters.table import Parameters
 from scorebreath.speech.voices import DEFAULT as DEFAULT_VOICE
 from scorebreath.speech.voices import list_voices
+from scorebreath_cli.app import COMMANDS
+from scorebreath_cli.printers import plain_table
 from tests.cli.running import ENVIRONMENT, PROGRAM, events, run, spawn
 
 

@@ -9,10 +9,10 @@ import stat
 from pathlib import Path
 
 import pytest
-from scorebreath_cli import outputs
-from scorebreath_cli.outputs import old_media, refuse_existing, staged, staged_file, uninterrupted
 
 from scorebreath.errors import EnvironmentFailure, InputError
+from scorebreath_cli import outputs
+from scorebreath_cli.outputs import old_media, refuse_existing, staged, staged_file, uninterrupted
 
 SOUND = "speech/" + "ab" * 32 + ".wav"
 OTHER = "speech/" + "cd" * 32 + ".wav"

@@ -10,13 +10,13 @@ import wave
 from pathlib import Path
 
 import pytest
-from scorebreath_cli.app import COMMANDS
-from scorebreath_cli.outputs import SET_FILES
-from scorebreath_cli.printers import STAGES
 
 from scorebreath.score.codec import dumps, loads
 from scorebreath.score.files import check_media, load
 from scorebreath.score.take import TakeWriter
+from scorebreath_cli.app import COMMANDS
+from scorebreath_cli.outputs import SET_FILES
+from scorebreath_cli.printers import STAGES
 from tests.cli.running import ENVIRONMENT, PROGRAM, events, run, spawn
 
 TEXT = """The rain came in from the west, as it does in autumn, and stayed until the evening.

@@ -7,7 +7,6 @@ import struct
 from collections.abc import Iterator
 
 import pytest
-from scorebreath_synthdefs import SPEECH
 from supriya import OscBundle, OscMessage
 
 from scorebreath.engine.commands import commands, write_commands
@@ -15,6 +14,7 @@ from scorebreath.engine.onsets import onsets
 from scorebreath.engine.play import KEEP, PRELOAD, play
 from scorebreath.engine.segments import segments
 from scorebreath.media.store import MemoryStore
+from scorebreath_synthdefs import SPEECH
 from tests.engine.sounding import babble, inspiration, noise, score, utterance
 
 RATE = 48000

@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from scorebreath_synthdefs import SPEECH, synthdef
 from supriya import Score as Commands
 
 from scorebreath.engine import staging
@@ -23,6 +22,7 @@ from scorebreath.engine.offline import render
 from scorebreath.engine.run import COMMANDS, Needs, run
 from scorebreath.errors import EngineError, EnvironmentFailure, InputError, ScoreError
 from scorebreath.media.store import Media, MemoryStore
+from scorebreath_synthdefs import SPEECH, synthdef
 from tests.engine.sounding import babble, inspiration, noise, score, utterance
 
 FRAMES = 4800

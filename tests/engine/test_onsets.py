@@ -7,7 +7,6 @@ import dataclasses
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scorebreath_synthdefs import CATALOGUE, SPEECH
 
 from scorebreath.chance import ENGINE_SEEDS
 from scorebreath.engine.onsets import GENERATORS, onsets, tract_scale
@@ -15,6 +14,7 @@ from scorebreath.errors import ScoreError
 from scorebreath.media.store import MemoryStore
 from scorebreath.score.events import Event
 from scorebreath.units import amplitude, decibels, snap
+from scorebreath_synthdefs import CATALOGUE, SPEECH
 from tests.engine.sounding import REFERENCE_DB, babble, body, expiration, inspiration, noise, score, utterance
 
 GAINS = st.integers(0, 4_000_000).map(lambda value: value / 1_000_000)

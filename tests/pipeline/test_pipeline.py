@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from scorebreath.speech.voices import open_voice
 
 from scorebreath.compose.models import MODELS, breathing_model
 from scorebreath.compose.state import BodyState
@@ -23,6 +22,7 @@ from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Pause
 from scorebreath.score.files import check_media
 from scorebreath.script.reader import Reader
 from scorebreath.speech.model import Voice
+from scorebreath.speech.voices import open_voice
 
 TEXT = (
     "Good evening. Low pressure moves in from the west tonight, and with it comes a band of heavy rain. "

@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.signal import welch
-from scorebreath_synthdefs import CATALOGUE, SPEECH, TRACTS, Route, Speaker, breath_name, synthdef
 
 from scorebreath.engine.offline import render, render_sounds
 from scorebreath.engine.onsets import Onset
 from scorebreath.media.store import MemoryStore
+from scorebreath_synthdefs import CATALOGUE, SPEECH, TRACTS, Route, Speaker, breath_name, synthdef
 from tests.engine.listening import Signal, level_db, within
 from tests.engine.sounding import inspiration, noise, samples, score
 
