@@ -8,13 +8,13 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from threading import Event
-from typing import TYPE_CHECKING, BinaryIO, Self
+from typing import TYPE_CHECKING, BinaryIO
 
 from scorebreath_cli.inputs import Source, load_score, read_source
 from scorebreath_cli.making import Compiler
 from scorebreath_cli.outputs import SET_FILES, old_media, refuse_existing, staged
 from scorebreath_cli.printers import Printer
-from scorebreath_cli.settings import frame_rate, sample_rate
+from scorebreath_cli.settings import frame_rate
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -30,20 +30,21 @@ class SoundOptions:
     engine: str
     rate: int
     """Hz"""
-    fps: Fraction
-    """frames per second of the curves"""
+    fps: str
+    """frames per second of the curves, as given"""
 
-    @classmethod
-    def checked(cls, *, engine: str, rate: int, fps: str) -> Self:
-        """Refuse what is wrong before anything is made.
+    def check(self) -> Fraction:
+        """Refuse what is wrong before anything is made; the frames per second.
 
         Raises:
             InputError: No such engine, or a rate out of range.
         """
         from scorebreath.engine.engines import engine_named
+        from scorebreath.engine.rates import check_sample_rate
 
-        engine_named(engine)
-        return cls(engine=engine, rate=sample_rate(rate), fps=frame_rate(fps))
+        engine_named(self.engine)
+        check_sample_rate(self.rate)
+        return frame_rate(self.fps)
 
 
 class Renderer:
@@ -62,10 +63,11 @@ class Renderer:
         source = read_source(given)
         besides = source.path if source.kind == "score" else None
         refuse_existing(folder, SET_FILES, force=force, besides=besides)
+        fps = self._begin(source)
         self._printer.started(source.name, str(folder))
         with staged(folder, own=old_media) as part:
             score, media = self._score(source, part)
-            _write_set(score, media, part, self._sound, self._printer)
+            self._write_set(score, media, part, fps)
         for name in sorted(SET_FILES):
             self._printer.written(str(folder / name), (folder / name).stat().st_size)
 
@@ -77,60 +79,67 @@ class Renderer:
         """
         from tempfile import TemporaryDirectory
 
+        source = read_source(given)
+        self._begin(source)
         with TemporaryDirectory(prefix="scorebreath-") as folder:
-            score, media = self._score(read_source(given), Path(folder))
-            from scorebreath.engine.offline import render
+            score, media = self._score(source, Path(folder))
+            self._sound_of(score, media, sys.stdout.buffer)
 
-            render(
-                score,
-                media,
-                sys.stdout.buffer,
-                engine=self._sound.engine,
-                sample_rate=self._sound.rate,
-                on_progress=self._printer.progress,
-            )
+    def _begin(self, source: Source) -> Fraction:
+        """Refuse options that are wrong, while the voice gets ready; the frames per second."""
+        if source.compiled:
+            self._compiler.options.refuse(source.name)
+        else:
+            self._compiler.voice()
+        return self._sound.check()
 
     def _score(self, source: Source, part: Path) -> tuple[Score, MediaStore]:
         """The Score, compiled if it is not one already; its speech is in the store, on disk."""
         if source.compiled:
-            self._compiler.options.refuse(source.name)
             return load_score(source)
         from scorebreath.media.store import FolderStore
 
         media = FolderStore(part)
         return self._compiler.compile(source, media, _imports), media
 
+    def _sound_of(self, score: Score, media: MediaStore, stream: BinaryIO) -> None:
+        from scorebreath.engine.offline import render
 
-def _write_set(score: Score, media: MediaStore, part: Path, sound: SoundOptions, printer: Printer) -> None:
-    """Every file of the set: what needs no sound is made while the engine works in its own process."""
-    from scorebreath.report.preview import write_preview
+        render(
+            score,
+            media,
+            stream,
+            engine=self._sound.engine,
+            sample_rate=self._sound.rate,
+            on_progress=self._printer.progress,
+        )
 
-    from scorebreath.engine.offline import render
-    from scorebreath.score.files import save, with_media_paths
+    def _write_set(self, score: Score, media: MediaStore, part: Path, fps: Fraction) -> None:
+        """Every file of the set: what needs no sound is made while the engine works in its own process."""
+        from scorebreath.report.preview import write_preview
+        from scorebreath.score.files import with_media_paths
 
-    score = with_media_paths(score)
-    silent = _Writers(score, part, sound.fps)
-    with ThreadPoolExecutor(1, thread_name_prefix="writer") as pool:
-        try:
-            others = pool.submit(silent.write)
-            with (part / "mix.wav").open("wb") as stream:
-                render(score, media, stream, engine=sound.engine, sample_rate=sound.rate, on_progress=printer.progress)
-            others.result()
-        finally:
-            silent.stop()
-    with (part / "preview.html").open("wb") as stream:
-        write_preview(stream, score, silent.curve_set, part / "mix.wav")
-    save(score, part / "score.json", media)
+        silent = _Writers(with_media_paths(score), media, part, fps)
+        with ThreadPoolExecutor(1, thread_name_prefix="writer") as pool:
+            try:
+                others = pool.submit(silent.write)
+                with (part / "mix.wav").open("wb") as stream:
+                    self._sound_of(score, media, stream)
+                with (part / "preview.html").open("wb") as stream:
+                    write_preview(stream, silent.score, silent.curve_set, part / "mix.wav")
+                others.result()
+            finally:
+                silent.stop()
 
 
 class _Writers:
-    """What can be written without the sound."""
+    """What can be written without the sound, the slowest first."""
 
-    def __init__(self, score: Score, part: Path, fps: Fraction) -> None:
+    def __init__(self, score: Score, media: MediaStore, part: Path, fps: Fraction) -> None:
         from scorebreath.curves.curve_set import curves
 
-        self.curve_set = curves(score)
-        self._score, self._part, self._fps = score, part, fps
+        self.score, self.curve_set = score, curves(score)
+        self._media, self._part, self._fps = media, part, fps
         self._stopped = Event()
 
     def stop(self) -> None:
@@ -139,25 +148,63 @@ class _Writers:
 
     def write(self) -> None:
         """One after the other."""
-        from scorebreath.formats import curves_csv, curves_json, groups_csv
-        from scorebreath.report.timeline import write_timeline
-
-        writers: dict[str, Callable[[BinaryIO], None]] = {
-            "timeline.png": lambda stream: write_timeline(stream, self._score, self.curve_set),
-            "curves.csv": lambda s: curves_csv.write(s, self.curve_set, self._score.duration, self._fps),
-            "curves.json": lambda s: curves_json.write(s, self.curve_set, self._score.duration, self._fps),
-            "groups.csv": lambda stream: groups_csv.write(stream, self._score),
+        writers: dict[str, Callable[[Path], None]] = {
+            "timeline.png": self._timeline,
+            "score.json": self._score,
+            "curves.csv": self._curves,
+            "curves.json": self._curves,
+            "groups.csv": self._groups,
         }
         for name, write in writers.items():
             if self._stopped.is_set():
                 return
-            with (self._part / name).open("wb") as stream:
-                write(stream)
+            write(self._part / name)
+
+    def _timeline(self, path: Path) -> None:
+        from scorebreath.report.timeline import write_timeline
+
+        with path.open("wb") as stream:
+            write_timeline(stream, self.score, self.curve_set)
+
+    def _score(self, path: Path) -> None:
+        from scorebreath.score.files import save
+
+        save(self.score, path, self._media)
+
+    def _curves(self, path: Path) -> None:
+        from scorebreath.formats import curves_csv, curves_json
+
+        write = curves_csv.write if path.suffix == ".csv" else curves_json.write
+        with path.open("wb") as stream:
+            write(stream, self.curve_set, self.score.duration, self._fps)
+
+    def _groups(self, path: Path) -> None:
+        from scorebreath.formats import groups_csv
+
+        with path.open("wb") as stream:
+            groups_csv.write(stream, self.score)
+
+
+HEAVY = (
+    "soundfile", "soxr", "supriya", "matplotlib.backends.backend_agg", "matplotlib.collections", "matplotlib.figure",
+    "matplotlib.font_manager",
+)  # fmt: skip
+"""What the rooms below import when they first need it, longest first to load: seconds that the voice needs as well."""
 
 
 def _imports() -> None:
     """Bring in what rendering needs, while the voice gets ready; in one thread, as imports do not like company."""
-    import scorebreath.report.preview
+    import importlib
+    from contextlib import suppress
 
     import scorebreath.engine.offline
-    import scorebreath.report.timeline  # noqa: F401
+    import scorebreath.formats.curves_csv
+    import scorebreath.formats.curves_json
+    import scorebreath.formats.groups_csv
+    import scorebreath.report.preview
+    import scorebreath.report.timeline
+    import scorebreath.score.files  # noqa: F401
+
+    for name in HEAVY:
+        with suppress(ImportError):  # told where it is needed
+            importlib.import_module(name)

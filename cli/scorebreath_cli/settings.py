@@ -21,7 +21,6 @@ LEAD, TAIL = 0.5, 1.0
 """Silence before and after, s."""
 LONGEST_SILENCE = 60.0
 LARGEST_SEED = 2**53 - 1
-SAMPLE_RATES = (8000, 192_000)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -126,15 +125,3 @@ def seed(value: int | None) -> int:
     if value is not None and not 0 <= value <= LARGEST_SEED:
         raise InputError(f"--seed {value}: must be in [0, {LARGEST_SEED}]")
     return value or 0
-
-
-def sample_rate(value: int) -> int:
-    """Samples per second.
-
-    Raises:
-        InputError: It is not in [8000, 192000].
-    """
-    low, high = SAMPLE_RATES
-    if not low <= value <= high:
-        raise InputError(f"--rate {value}: must be in [{low}, {high}] Hz")
-    return value

@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scorebreath_cli.settings import CompileOptions, frame_rate, sample_rate, seconds, seed
 
 from scorebreath.errors import InputError, ParameterError
+from scorebreath_cli.settings import CompileOptions, frame_rate, seconds, seed
 
 GIVEN: dict[str, tuple[Any, str]] = {
     "voice": ("tone", "--voice"),
@@ -68,13 +68,6 @@ def test_seeds_have_limits() -> None:
     for value in (-1, 2**53):
         with pytest.raises(InputError, match="--seed"):
             seed(value)
-
-
-def test_sample_rates_have_limits() -> None:
-    assert sample_rate(44_100) == 44_100
-    for rate in (7_999, 192_001, 0, -48_000):
-        with pytest.raises(InputError, match="--rate"):
-            sample_rate(rate)
 
 
 def test_what_comes_later_wins(tmp_path: Path) -> None:

@@ -65,7 +65,7 @@ def render(
         from scorebreath_cli.outputs import STANDARD
         from scorebreath_cli.rendering import Renderer, SoundOptions
 
-        sound = SoundOptions.checked(engine=engine, rate=rate, fps=fps)
+        sound = SoundOptions(engine=engine, rate=rate, fps=fps)
         with Compiler(options, printer) as compiler:
             renderer = Renderer(compiler, sound, printer)
             if output == STANDARD:
@@ -76,6 +76,7 @@ def render(
                 renderer.into(inputs[0], Path(output), force=force)
                 printer.done(Status.DONE)
             else:
+                sound.check()
                 folders = [Path(output) / name for name in names_of(inputs)]
                 _several(renderer, list(zip(inputs, folders, strict=True)), printer, force=force, debug=debug)
 

@@ -1,0 +1,153 @@
+"""Everything measured in one go, against its limits.
+
+python -m benchmarks                     about a quarter of an hour
+python -m benchmarks cold whole growth   only these
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from benchmarks.cold import EMPTY
+from benchmarks.processes import PROGRAM, interleaved, module, quiet, seconds
+from benchmarks.texts import text_of
+
+SENTENCE = "The rain came in from the west, and stayed until the evening.\n"
+LENGTHS = (1, 10, 100)
+"""Minutes."""
+COUNTS = 0.02
+"""A stage that takes a smaller share of a minute's cost is shown but not judged: its noise is as large as itself."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Row:
+    """One ratio."""
+
+    what: str
+    ours: float
+    floor: float
+    """of the same unit: s, or s a minute"""
+    limit: float | None
+    """None: for information"""
+
+    @property
+    def ratio(self) -> float:
+        """How many times the floor."""
+        return self.ours / self.floor if self.floor > 0 else 0.0
+
+    @property
+    def kept(self) -> bool:
+        """Whether it is within its limit."""
+        return self.limit is None or self.ratio <= self.limit
+
+
+def cold(folder: Path, rounds: int) -> Iterator[Row]:
+    """One short sentence against its imports; `--help` against an empty typer program."""
+    text, names, empty = folder / "sentence.txt", folder / "names.json", folder / "empty.py"
+    text.write_text(SENTENCE)
+    empty.write_text(EMPTY)
+    names.write_text(json.dumps(module("cold", "list", text, folder / "out")))
+    ours, floor = interleaved(
+        rounds,
+        lambda: seconds(*PROGRAM, "render", text, *quiet(folder / "out")),
+        lambda: seconds(sys.executable, "-m", "benchmarks.cold", "import", names),
+    )
+    yield Row(what="one short sentence, cold / importing the same modules", ours=ours, floor=floor, limit=1.3)
+    ours, floor = interleaved(
+        2 * rounds, lambda: seconds(*PROGRAM, "--help"), lambda: seconds(sys.executable, empty, "--help")
+    )
+    yield Row(what="--help / an empty typer program's", ours=ours, floor=floor, limit=1.2)
+
+
+def whole(folder: Path, rounds: int) -> Iterator[Row]:
+    """Ten minutes of speech to everything, against the least it can take."""
+    text, kept = folder / "ten.txt", folder / "floor"
+    text.write_text(text_of(10, newlines=True))
+    kept.mkdir()
+    _prepare(text, kept)
+    parts: list[dict[str, float]] = []
+
+    def floor() -> float:
+        parts.append(module("floor", "run", kept))
+        return sum(parts[-1].values())
+
+    ours, least = interleaved(rounds, lambda: seconds(*PROGRAM, "render", text, *quiet(folder / "out")), floor)
+    minutes = json.loads((folder / "out" / "score.json").read_text())["duration"] / 60
+    yield Row(what=f"text to everything, {minutes:.1f} min of speech / floor", ours=ours, floor=least, limit=1.5)
+    for part in parts[0]:
+        taken = median(one[part] for one in parts)
+        yield Row(what=f"  of the floor: {part}", ours=taken, floor=least, limit=None)
+
+
+def growth(folder: Path, rounds: int) -> Iterator[Row]:
+    """What a minute costs between 10 and 100 minutes, against between 1 and 10."""
+    for newlines in (True, False):
+        taken: dict[int, list[dict[str, Any]]] = {length: [] for length in LENGTHS}
+        for _ in range(rounds):
+            for length in LENGTHS:
+                text = folder / "text.txt"
+                text.write_text(text_of(length, newlines=newlines))
+                with tempfile.TemporaryDirectory(dir=folder) as out:
+                    taken[length].append(module("growth", text, out))
+        name = "with newlines" if newlines else "in one line"
+        yield from _marginal(name, taken)
+
+
+def _marginal(name: str, taken: dict[int, list[dict[str, Any]]]) -> Iterator[Row]:
+    minutes = {length: runs[0]["minutes"] for length, runs in taken.items()}
+
+    def cost(stage: str | None, length: int) -> float:
+        return median(sum(run["stages"].values()) if stage is None else run["stages"][stage] for run in taken[length])
+
+    def per_minute(stage: str | None, start: int, end: int) -> float:
+        return (cost(stage, end) - cost(stage, start)) / (minutes[end] - minutes[start])
+
+    short, middle, long = LENGTHS
+    total = per_minute(None, short, middle)
+    yield Row(
+        what=f"a minute from {middle} to {long} / from {short} to {middle}, {name}",
+        ours=per_minute(None, middle, long), floor=total, limit=1.1,
+    )  # fmt: skip
+    for stage in taken[short][0]["stages"]:
+        ours, floor = per_minute(stage, middle, long), per_minute(stage, short, middle)
+        judged = max(ours, floor) > COUNTS * total
+        yield Row(what=f"  {stage}", ours=ours, floor=floor, limit=1.1 if judged else None)
+
+
+def _prepare(text: Path, kept: Path) -> None:
+    from benchmarks.processes import run
+
+    run(sys.executable, "-m", "benchmarks.floor", "prepare", text, kept)
+
+
+PARTS: dict[str, tuple[Callable[[Path, int], Iterator[Row]], int]] = {
+    "cold": (cold, 11), "whole": (whole, 5), "growth": (growth, 3),
+}  # fmt: skip
+"""What is measured, and how often."""
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Measure, print, and end with 1 where a limit is broken."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="*", choices=[*PARTS, []], help=", ".join(PARTS))
+    parser.add_argument("--rounds", type=int, help="how often each is measured")
+    given = parser.parse_args(arguments)
+    rows: list[Row] = []
+    print(f"{'':66}{'ours':>9}{'floor':>9}{'ratio':>8}{'limit':>7}")
+    for part in given.parts or PARTS:
+        measure, rounds = PARTS[part]
+        with tempfile.TemporaryDirectory(prefix="scorebreath-bench-") as folder:
+            for row in measure(Path(folder), given.rounds or rounds):
+                limit = "" if row.limit is None else f"{row.limit:.1f}"
+                verdict = "" if row.kept else "  BROKEN"
+                print(f"{row.what:66}{row.ours:9.3f}{row.floor:9.3f}{row.ratio:8.2f}{limit:>7}{verdict}", flush=True)
+                rows.append(row)
+    return 0 if all(row.kept for row in rows) else 1
