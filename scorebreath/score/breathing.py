@@ -1,0 +1,125 @@
+"""Events of breathing: air in, air out, air held."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Literal
+
+from scorebreath.score.event import Event, Part, Profile
+from scorebreath.score.values import Number, Whole
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Trapezoid(Part):
+    """Linear attack to 1, hold, linear release to 0 (B46; ramps: physiology 3.3)."""
+
+    attack: Number
+    """s"""
+    hold: Number
+    """s"""
+    release: Number
+    """s"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Noise(Part):
+    """The audible part of a breath; its length is its own, apart from the movement's."""
+
+    onset: Number
+    """s from the event's onset"""
+    duration: Number
+    """s; attack + hold + release"""
+    attack: Number
+    """s"""
+    hold: Number
+    """s"""
+    release: Number
+    """s"""
+    level_db: Number
+    """dB of a unit gain over the hold, relative to the voice's reference"""
+    seed: Whole
+    """of the engine's noise, 1..2^24-1"""
+    source: str = "synth"
+    """`synth`, or the SHA-256 of a recording in the media"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lead(Part):
+    """How long the face moves ahead of the flow."""
+
+    mouth: Number = 0.0
+    """s, at most the reach of an inspiration"""
+    nostril: Number = 0.0
+    """s, at most the reach of an inspiration"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Motion(Part):
+    """What one unit of volume above the resting level moves (B6-B8, B25): the driver times these."""
+
+    thorax: Number
+    """shape weight"""
+    abdomen: Number
+    """shape weight"""
+    shoulder: Number
+    """shape weight"""
+    neck_pitch: Number
+    """degrees, chin up positive"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inspiration(Event):
+    """Air in: volume, face, two sounds (B4-B11)."""
+
+    type: ClassVar[str] = "inspiration"
+    kind: Literal["speech", "tidal", "gasp", "sigh", "sniff"] = "speech"
+    from_volume: Number
+    """fraction of VC"""
+    to_volume: Number
+    """fraction of VC"""
+    profile: Profile = "linear"
+    """`linear`: constant flow (the papers' LF); `sine`: half-sine flow"""
+    thorax_share: Number
+    """share of the volume that the thorax takes, 0..1"""
+    motion: Motion
+    sound_nose: Number
+    """gain 0.. of the nose's sound"""
+    sound_mouth: Number
+    """gain 0.. of the mouth's sound"""
+    nostril_flare: Number
+    """maximum, 0..1"""
+    mouth_open: Number
+    """maximum, 0..1"""
+    face: Trapezoid
+    """of nostrils and mouth from the onset on; a lead lengthens the attack backwards"""
+    lead: Lead
+    noise: Noise | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Expiration(Event):
+    """Air out, during speech or by itself (B12)."""
+
+    type: ClassVar[str] = "expiration"
+    kind: Literal["speech", "tidal", "audible", "sigh", "laugh"] = "speech"
+    from_volume: Number
+    """fraction of VC"""
+    to_volume: Number
+    """fraction of VC"""
+    profile: Profile = "linear"
+    thorax_share: Number
+    motion: Motion
+    noise: Noise | None = None
+    puffs: tuple[Number, ...] = ()
+    """onsets of laugh puffs, s"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hold(Event):
+    """The breath is held: volume stays where it is."""
+
+    type: ClassVar[str] = "hold"
+    volume: Number
+    """fraction of VC"""
+    thorax_share: Number
+    motion: Motion

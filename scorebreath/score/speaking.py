@@ -1,0 +1,99 @@
+"""Events of speech: what is said, in which phrases, and the silences between."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Literal
+
+from scorebreath.score.event import Closing, Event, Part, PauseKind, SentenceType
+from scorebreath.score.values import Flag, Number, Whole
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Word(Part):
+    """A word as it is spoken."""
+
+    text: str
+    onset: Number
+    """s"""
+    duration: Number
+    """s"""
+    source: tuple[Whole, Whole] | None = None
+    """code points of the Score's text"""
+    accent: Flag = False
+    merged: Flag = False
+    """spoken as one with its neighbours ("was the")"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Phone(Part):
+    """A phone; phones are contiguous over the utterance, pauses among them."""
+
+    ipa: str
+    """International Phonetic Alphabet; empty for a pause"""
+    onset: Number
+    """s"""
+    duration: Number
+    """s"""
+    stress: Whole = 0
+    """0 none, 1 primary, 2 secondary"""
+    word: Whole | None = None
+    """index among the utterance's words"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Pitch(Part):
+    """Fundamental frequency, one value a step, the first at half a step."""
+
+    step: Number
+    """s"""
+    hertz: tuple[Number, ...]
+    """0 where unvoiced"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Level(Part):
+    """Level of the sound, one value a step, the first at half a step."""
+
+    step: Number
+    """s"""
+    db: tuple[Number, ...]
+    """dB re full scale, of the media as stored"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Utterance(Event):
+    """The speech of one breath group."""
+
+    type: ClassVar[str] = "utterance"
+    media: str
+    """SHA-256 of the samples"""
+    gain_db: Number
+    """dB"""
+    closing: Closing
+    words: tuple[Word, ...]
+    phones: tuple[Phone, ...]
+    pitch: Pitch
+    level: Level
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Phrase(Event):
+    """An intonational phrase, or what stands for one (a line of verse)."""
+
+    type: ClassVar[str] = "phrase"
+    source: tuple[Whole, Whole]
+    break_index: Whole
+    tone: str = ""
+    position: Literal["internal", "final"]
+    sentence_type: SentenceType
+    line: Whole | None = None
+    stanza: Whole | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Pause(Event):
+    """Silence between groups or inside one."""
+
+    type: ClassVar[str] = "pause"
+    kind: PauseKind
