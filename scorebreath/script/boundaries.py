@@ -29,7 +29,8 @@ _PEEK = 3
 """Code points that `certain` looks at behind a candidate."""
 _SMALL = re.compile(r"(?<![^\s\"'“”‘’„»«(-])[^\W\d_]{2,}(?=[^\w\s]*$)")
 _WORD = re.compile(r"[^\W\d_]+")
-_LAST_WORD = re.compile(r"[^\W\d_]+(?:\.[^\W\d_]+)*$")
+_LAST_WORD = re.compile(r"(?:(?<!\w)[^\W\d_]\.\s)*[^\W\d_]+(?:\.[^\W\d_]+)*$")
+_INITIAL = re.compile(r"\s([^\W\d_]{1,3})\.")
 _NEXT = re.compile(r"[^adk]*")
 _COPY = re.compile(
     r"""(?P<dots>…)|(?P<space>[\s\x00-\x1f\x7f-\x9f\u200b]+)|(?P<drop>["“”„‟«»‹›‚‘‛`´()\[\]{}「」『』\\]|
@@ -114,6 +115,9 @@ def _stands(text: str, kinds: str, start: int, end: int, language: str) -> bool:
     table, word = tables(language), _last_word(text, start)
     if word in table.never_last:
         return False
+    initial = _INITIAL.match(text, end)
+    if initial and f"{word}.{initial[1].lower()}" in table.beginnings:
+        return False
     goes_on = text[after].islower() or text[after].isdecimal()
     return not (goes_on and (word in table.abbreviation or word.endswith(table.suffixes)))
 
@@ -130,7 +134,7 @@ def _missed(text: str, start: int, end: int, language: str) -> bool:
 def _last_word(text: str, end: int) -> str:
     """The word before a full stop, in lower case, with the stops inside it."""
     word = _LAST_WORD.search(text[max(0, end - 16) : end])
-    return word.group().lower() if word else ""
+    return "".join(word.group().lower().split()) if word else ""
 
 
 class _Stretch(NamedTuple):

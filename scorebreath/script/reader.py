@@ -218,11 +218,10 @@ class Reader:
 
     def _end(self) -> None:
         """A sentence is over: its gap begins."""
-        end = self._ends.pop(0)
-        text = self._text[self._at : end]
-        whole = text.rstrip(" \n\t") if self._complete else text
-        self._raw = _Raw(text=whole, start=self._base + self._at, line=self._line, complete=self._complete)
-        self._at += len(whole)
+        end = self._at + len(self._kinds[self._at : self._ends.pop(0)].rstrip(" n"))
+        text, start = self._text[self._at : end], self._base + self._at
+        self._raw = _Raw(text=text, start=start, line=self._line, complete=self._complete)
+        self._at = end
         self._inside = False
 
     def _close(self, *, last: bool) -> Iterator[Sentence]:

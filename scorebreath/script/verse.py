@@ -10,7 +10,7 @@ BREAKS = 3
 WIDTH = 60
 """Code points of a line of verse."""
 NARROW = 0.9
-"""Share of lines that are no longer than that."""
+"""Share of lines that are no longer than that, and that set the length of a full line."""
 EARLY = 1 / 3
 """Share of line breaks before which the next line's first word would still have fitted."""
 STOPPED = 0.6
@@ -25,7 +25,8 @@ def is_verse(text: str) -> bool:
 
     Four signs, all needed: at least `BREAKS` line breaks inside stanzas; short lines; lines that mostly do not end as
     sentences do; and line breaks that come early. The last one tells verse from prose that was wrapped, at whatever
-    width: wrapping breaks a line only where the next word does not fit into the longest line any more.
+    width: wrapping breaks a line only where the next word does not fit any more into the length that nine in ten
+    lines keep to.
 
     >>> is_verse("Es gingen zwei Parallelen\nins Endlose hinaus,\nzwei kerzengerade Seelen\nund aus solidem Haus.")
     True
@@ -40,8 +41,8 @@ def is_verse(text: str) -> bool:
         breaks += [(len(line), len(after.split(maxsplit=1)[0])) for line, after in pairwise(inside)]
     if len(breaks) < BREAKS:
         return False
-    longest = max(len(line) for line in lines)
+    full = sorted(len(line) for line in lines)[int(NARROW * (len(lines) - 1))]
     narrow = sum(len(line) <= WIDTH for line in lines)
     stopped = sum(_STOP.search(line) is not None for line in lines)
-    early = sum(length + 1 + word <= longest for length, word in breaks)
+    early = sum(length + 1 + word <= full for length, word in breaks)
     return narrow >= NARROW * len(lines) and stopped <= STOPPED * len(lines) and early >= EARLY * len(breaks)

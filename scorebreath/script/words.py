@@ -114,7 +114,7 @@ def cut(text: str, gap: str, start: int, *, poem: bool) -> list[Written]:
                 source=Span(start + lead, start + end),
                 core=Span(start + core.start, start + core.end),
                 text=text[core.start : core.end],
-                plain=shown[core.start : core.end].strip("ak") == "",
+                plain=kinds[core.start : core.end].strip("ak") == "",
                 stopped=between.startswith("."),
                 spaced=between in (" ", ". ", "n", ".n"),
                 edge=edge,
@@ -201,7 +201,7 @@ def _edge(between: str, poem: bool) -> tuple[Edge, str]:
     if between in ("", "-"):
         return "joint", between
     space = " " in between or "n" in between
-    if not space and _JOINT.match(between):
+    if not space and _JOINT.match(between) and "--" not in between:
         return "joint", "-" if between[0] in "-N" else ""
     for pattern, edge, mark in _EDGES:
         if pattern.search(between):

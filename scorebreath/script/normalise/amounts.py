@@ -13,8 +13,10 @@ from scorebreath.script.normalise.context import Context, Said
 from scorebreath.script.normalise.dates import date, decade, dotted_date, in_context, stopwatch, suffixed, time_of_day
 from scorebreath.script.normalise.figures import amount, counting, mixture, plain, unit_of
 from scorebreath.script.normalise.money import money, money_behind
-from scorebreath.script.normalise.numbers import whole, year
+from scorebreath.script.normalise.numbers import cardinal, ordinal, whole, year
 from scorebreath.script.normalise.tables import tables as tables_of
+
+_DENOMINATORS = (3, 4, 5, 6, 7, 8, 9, 10, 12, 16)
 
 Rule = Callable[[re.Match[str], Context], Said | None]
 
@@ -58,6 +60,7 @@ def _rules(language: str) -> tuple[tuple[re.Pattern[str], Rule], ...]:
             (rf"(?P<number>{number})", _number),
             (rf"(?P<number>{number})(?P<unit>\D\S*)", _measure),
             (r"(?P<left>\d+)[x×](?P<right>\d+)", _product),
+            (r"(?P<left>\d{1,2})/(?P<right>\d{1,2})", _broken),
         )
     )
 
@@ -81,6 +84,21 @@ def _fraction(match: re.Match[str], context: Context) -> Said | None:
     if tables.language == "de":
         return context.one(before + behind if behind == "einhalb" else f"{before} {behind}")
     return context.one(f"{before} and {behind}")
+
+
+def _broken(match: re.Match[str], context: Context) -> Said | None:
+    """5/8 is five eighths; 9/11 and 24/7 are two numbers."""
+    left, right, language = int(match["left"]), int(match["right"]), context.tables.language
+    if not (left < right and right in _DENOMINATORS):
+        return None
+    part = ordinal(right, language)
+    share = part.capitalize() + "l" if language == "de" else part if left == 1 else part + "s"
+    return context.one(f"{_counting(left, language)} {share}")
+
+
+def _counting(number: int, language: str) -> str:
+    """A number of shares."""
+    return "ein" if language == "de" and number == 1 else cardinal(number, language)
 
 
 def _numbered(match: re.Match[str], context: Context) -> Said | None:
@@ -137,7 +155,8 @@ def _spaced_thousands(match: re.Match[str], context: Context) -> Said | None:
 def _number(match: re.Match[str], context: Context) -> Said | None:
     """5, 1,000,000, 3.14, and "ein" before a unit."""
     following = context.follower()
-    noun = context.tables.unit.get(following.text, ("",))[0] if following else ""
+    nouns = {**context.tables.unit, **context.tables.currency} if following else {}
+    noun = nouns.get(following.text, ("",))[0] if following else ""
     return context.one(counting(match["number"], noun, context.tables) if noun else amount(match[0], context.tables))
 
 

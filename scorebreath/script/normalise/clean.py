@@ -7,6 +7,7 @@ import unicodedata
 
 from scorebreath.script.kinds import kinds
 from scorebreath.script.normalise.context import Part
+from scorebreath.script.normalise.numbers import whole
 from scorebreath.script.normalise.tables import Tables
 from scorebreath.spans import Span
 
@@ -35,7 +36,11 @@ def read_link(text: str, start: int, tables: Tables) -> list[Part]:
     at = scheme.end() if scheme else 0
     parts: list[Part] = []
     for token in _LINK_TOKEN.finditer(text.rstrip("/"), at):
-        said = named.get(token.group(), token.group() if token.group().isalnum() else "")
+        said = named.get(token.group(), "")
+        if token.group().isdecimal():
+            said = whole(token.group(), tables.language)
+        elif token.group().isalnum():
+            said = "W.W.W" if token.group().lower() == "www" else token.group()
         if said:
             parts += [(" ", None)] if parts else []
             parts.append((said, Span(start + token.start(), start + token.end())))
@@ -71,13 +76,15 @@ def clean(text: str, start: int, tables: Tables) -> list[Part]:
 def _say(cluster: str, kind: str, tables: Tables) -> str:
     """One letter with its marks, or one symbol."""
     base = kind.strip("m")
+    symbol = next((tables.symbol[character] for character in cluster if character in tables.symbol), "")
+    if symbol:
+        return f" {symbol} "
     if base == "'":
         return "'"
-    if base in ("/", "_", "-", "N") and base:
-        return " " if tables.known and base in "/_" else "-" if base in "-N" else base
-    if base == "S" and tables.known:
-        bare = next(character for character in cluster if kinds(character) == "S")
-        return f" {tables.symbol[bare]} " if bare in tables.symbol else " "
+    if base in ("-", "N"):
+        return "-"
+    if base == "_" or (base in ("/", "S") and tables.known):
+        return " "
     if base in (".", ",", ":"):
         return base
     kept = [character for character in cluster if unicodedata.category(character) not in ("Cf", "Me")]

@@ -92,11 +92,16 @@ def in_context(match: re.Match[str], context: Context) -> Said | None:
             return context.one(ordinal(number, "en"))
         if after.lower() in lists["month_names"] and after[0].isupper() and not context.inner_stop:
             return context.one(("" if context.before == "the" else "the ") + ordinal(number, "en") + " of")
-    if len(figures) == 4 and 1100 <= number <= 2099:
+    if len(figures) == 4 and 1001 <= number <= 2099:
         dated = context.before in lists["year_before"] or context.before in lists["month_names"]
-        counted = after[:1].isupper() if language == "de" else after[:1].islower() and after.endswith("s")
+        counted = after[:1].isupper() if language == "de" else _plural(after, lists["verbs"])
         if dated or (number >= 1500 and not counted and after not in tables.unit):
             return context.one(year(number, language))
     if after and after[0].isalpha() and after not in tables.unit:
         return context.one(counting(figures, after, tables))
     return None
+
+
+def _plural(word: str, verbs: tuple[str, ...]) -> bool:
+    """Whether an English word may be what is counted."""
+    return word[:1].islower() and word.endswith("s") and word not in verbs

@@ -36,7 +36,7 @@ def amount(figures: str, tables: Tables) -> str:
     settings, language = tables.settings, tables.language
     before, _, after = figures.replace(settings["thousands"], "").partition(settings["decimal"])
     said = whole(before, language)
-    return f"{said} {settings['point']} {digits(after, language)}" if after else said
+    return f"{said} {settings['decimal_word']} {digits(after, language)}" if after else said
 
 
 def counting(figures: str, noun: str, tables: Tables) -> str:
@@ -55,7 +55,7 @@ def unit_of(text: str, tables: Tables) -> tuple[str, ...] | None:
 def mixture(text: str, tables: Tables) -> str:
     """Anything with figures: B52, 1.2.3, 0800-123-456, 192.168.0.1."""
     settings = tables.settings
-    named = {".": settings["point"], ",": settings["comma"], "/": settings["slash"], "+": settings["plus"]}
+    named = {".": settings["point"], ",": settings["comma"], "+": settings["plus"]}
     singly = text.count("-") > 0 and re.fullmatch(r"[\d+/-]+", text) is not None
     said = []
     for token in _TOKENS.findall(text):

@@ -10,6 +10,7 @@ from scorebreath.script.normalise.numbers import cardinal, ordinal
 from scorebreath.spans import Span
 
 _CAPITALS = re.compile(r"([A-Z]{2,5})('?s)?")
+_JOINED = re.compile(r"([A-Z]{1,4})&([A-Z]{1,4})")
 _DOTTED = re.compile(r"[A-Za-z](?:\.[A-Za-z])+")
 _ROMAN = re.compile(r"M{0,3}(?:CM|CD|D?C{0,3})(?:XC|XL|L?X{0,3})(?:IX|IV|V?I{0,3})")
 _ROMAN_DIGITS = {"I": 1, "V": 5, "X": 10, "L": 50, "C": 100, "D": 500, "M": 1000}
@@ -19,7 +20,7 @@ _LONGEST_PHRASE = 4
 
 def say_name(context: Context) -> Said | None:
     """How a word of letters is said if not as written, by the first of the rules that knows it."""
-    for rule in (_unit, _phrase, _suffix, _title, _numbered, _saint, _roman, _capitals, _dotted):
+    for rule in (_unit, _phrase, _suffix, _title, _numbered, _saint, _roman, _capitals, _joined, _dotted):
         if said := rule(context):
             return said
     return None
@@ -29,12 +30,16 @@ def _unit(context: Context) -> Said | None:
     """The km of "5 km"."""
     tables, index = context.tables, context.index
     unit = unit_of(context.word.text, tables)
-    if unit is None or not index or not context.words[index - 1].spaced:
+    if unit is None:
         return None
+    if not index or not context.words[index - 1].spaced:
+        return None if context.word.text.isalpha() else context.one(unit[1])
     amount = context.words[index - 1].text
     if not has_figures(amount[-1:], tables):
         return None
-    return context.one(unit[0] if amount in ("1", "-1", "+1") else unit[1], stop=context.inner_stop)
+    return context.one(
+        unit[0] if amount in ("1", "-1", "+1") or amount in tables.fraction else unit[1], stop=context.inner_stop
+    )
 
 
 def _phrase(context: Context) -> Said | None:
@@ -49,6 +54,8 @@ def _phrase(context: Context) -> Said | None:
         chosen = context.words[context.index : context.index + count]
         key = ".".join(one.text for one in chosen).lower()
         said = tables.abbreviation.get(key)
+        if context.before == "1":
+            said = tables.one.get(key, said)
         stopped = all(one.stopped for one in chosen)
         if said and (stopped or (count == 1 and "." in key)):
             return context.one(said, count=count, stop=last.stopped)
@@ -99,18 +106,24 @@ def _saint(context: Context) -> Said | None:
 
 
 def _roman(context: Context) -> Said | None:
-    """Chapter IV, World War II, Louis XIV, Ludwig XIV."""
-    text, tables = context.word.text, context.tables
+    """Chapter IV, World War II, Louis XIV, Henry VIII's, Ludwig XIV., II. Weltkrieg."""
+    whole, tables = context.word.text, context.tables
+    text = whole.replace("’", "'").removesuffix("'s")
+    ending = "'s" if text != whole else ""
     if not text.isupper() or len(text) > 9 or not _ROMAN.fullmatch(text):
         return None
     values = [_ROMAN_DIGITS[letter] for letter in text]
     number = sum(-one if one < after else one for one, after in zip(values, [*values[1:], 0], strict=True))
     language = tables.language
     if context.before in tables.counted:
-        return context.one(cardinal(number, language))
+        return context.one(cardinal(number, language) + ending)
     ruler = context.before in tables.rulers
     if ruler and (text != "I" or (language == "de" and context.inner_stop)):
-        return context.one(f"{tables.article} {ordinal(number, language)}", stop=context.inner_stop)
+        return context.one(f"{tables.article} {ordinal(number, language)}{ending}", stop=context.inner_stop)
+    following = context.follower()
+    if language == "de" and context.inner_stop and following and following.text.lower() in tables.counted:
+        inflected = "n" if context.before in tables.lists["date_before"] else ""
+        return context.one(ordinal(number, language) + inflected, stop=True)
     if len(text) >= 3 and set(text) <= set("IVX") and text != "XXX":
         return context.one(cardinal(number, language))
     return None
@@ -130,10 +143,20 @@ def _capitals(context: Context) -> Said | None:
     return Said(_spelled(capitals, context.word.core.start, match[2] or ""))
 
 
+def _joined(context: Context) -> Said | None:
+    """AT&T, R&D."""
+    match, start = _JOINED.fullmatch(context.word.text), context.word.core.start
+    if match is None or "&" not in context.tables.symbol:
+        return None
+    place = Span(start + match.end(1), start + match.start(2))
+    sign: list[Part] = [(" ", None), (context.tables.symbol["&"], place), (" ", None)]
+    return Said([*_spelled(match[1], start, ""), *sign, *_spelled(match[2], place.end, "")])
+
+
 def _shouted(context: Context) -> bool:
     """Whether most of the words around are written in capitals."""
     near = [word.text for word in context.words[max(0, context.index - 5) : context.index + 6] if len(word.text) > 1]
-    return len(near) > 2 and sum(text.isupper() and text.isalpha() for text in near) * 2 > len(near)
+    return len(near) > 2 and sum(text.isupper() and text.isalpha() for text in near) * 4 > len(near) * 3
 
 
 def _dotted(context: Context) -> Said | None:

@@ -50,7 +50,9 @@ def _as_written(word: Written, tables: Tables) -> bool:
     text = word.text
     if not word.plain or word.stopped or text in tables.unit:
         return False
-    return text.islower() or (not text.isascii() and text.lower() == text.upper())
+    if text.isascii():
+        return text.islower()
+    return (text.islower() or text.lower() == text.upper()) and not any(mark in tables.special for mark in text)
 
 
 def _say(context: Context) -> Said | None:

@@ -43,6 +43,12 @@ class Tables:
     article: str
     never_last: frozenset[str]
     """written with a full stop that does not end a sentence"""
+    beginnings: frozenset[str]
+    """abbreviations of several letters, and what they begin with: `i.d` and `i.d.r`"""
+    special: frozenset[str]
+    """letters and figures that are read as symbols"""
+    suffixes: tuple[str, ...]
+    """ends of words that are written short"""
     settings: Mapping[str, str]
     """single words and marks: `point`, `decimal`, ..."""
     lists: Mapping[str, tuple[str, ...]]
@@ -53,11 +59,6 @@ class Tables:
         """Whether there is a table at all."""
         return bool(self.settings)
 
-    @property
-    def suffixes(self) -> tuple[str, ...]:
-        """Ends of words that are written short."""
-        return tuple(self.suffix)
-
 
 @lru_cache(maxsize=32)
 def tables(language: str) -> Tables:
@@ -67,12 +68,14 @@ def tables(language: str) -> Tables:
         read = tomllib.loads((files(__package__) / f"{language}.toml").read_text("utf-8"))
     settings = read.get("settings", {})
     title = read.get("title", {})
+    abbreviation, suffix = read.get("abbreviation", {}), read.get("suffix", {})
+    keys = [key.split(".") for key in abbreviation]
     letters, roman = read.get("letters", {}), read.get("roman", {})
     return Tables(
         language=language,
         title=title,
-        abbreviation=read.get("abbreviation", {}),
-        suffix=read.get("suffix", {}),
+        abbreviation=abbreviation,
+        suffix=suffix,
         numbered=read.get("numbered", {}),
         saint=read.get("saint", {}),
         symbol=read.get("symbol", {}),
@@ -86,6 +89,9 @@ def tables(language: str) -> Tables:
         rulers=frozenset(roman.get("rulers", ())),
         article=roman.get("article", ""),
         never_last=frozenset((*settings.get("never_last", ()), *title)),
+        beginnings=frozenset(".".join(key[:length]) for key in keys for length in range(2, len(key) + 1)),
+        special=frozenset((*read.get("fraction", {}), *read.get("symbol", {}))),
+        suffixes=tuple(suffix),
         settings={key: value for key, value in settings.items() if isinstance(value, str)},
         lists={key: tuple(value) for key, value in settings.items() if isinstance(value, list)},
     )
