@@ -8,6 +8,7 @@ import shutil
 import signal
 import tempfile
 import threading
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
@@ -48,7 +49,7 @@ def refuse_existing(folder: Path, names: tuple[str, ...], *, force: bool, beside
             raise InputError(f"{path} exists already; --force replaces it")
 
 
-class _Staging:
+class _Staging(ABC):
     """A place to write to that becomes the output, or vanishes.
 
     A class and not a generator: a signal can strike inside contextlib, where it leaves a generator waiting for ever.
@@ -75,11 +76,13 @@ class _Staging:
                 self._commit()
                 self._undo.pop_all()
 
+    @abstractmethod
     def _create(self, undo: ExitStack) -> Path:
-        raise NotImplementedError
+        """Make what is written to; `undo` takes it away."""
 
+    @abstractmethod
     def _commit(self) -> None:
-        raise NotImplementedError
+        """Put it in its place."""
 
 
 class staged(_Staging):  # noqa: N801 - reads as the context manager it is
