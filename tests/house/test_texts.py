@@ -12,8 +12,6 @@ ROOT = Path(__file__).resolve().parents[2]
 BINARY = {".wav", ".png"}
 LONGEST = {"tests": 500, "": 350}
 """Lines of a Python file, in tests and elsewhere."""
-TABLES = {"scorebreath/score/events.py": 480}
-"""Files that are one long table, and what they may grow to."""
 
 UNDONE = re.compile(r"(?:#|//|<!--|\"\"\").*\b(?:TODO|FIXME|XXX|HACK)\b|\bNotImplementedError\b")
 MACHINE = re.compile(r"(?<![\w.])/(?:work|root|farm|tmp|opt|mnt|Users|home)/(?!user\b)[\w.]")
@@ -60,7 +58,7 @@ def test_python_files_have_one_idea() -> None:
     for path in (p for p in FILES if p.suffix == ".py"):
         lines = path.read_text(encoding="utf-8").count("\n")
         name = path.relative_to(ROOT).as_posix()
-        if lines > TABLES.get(name, LONGEST.get(name.partition("/")[0], LONGEST[""])):
+        if lines > LONGEST.get(name.partition("/")[0], LONGEST[""]):
             long[name] = lines
     assert long == {}, "split them: one idea a file"
 
