@@ -25,8 +25,6 @@ _MARK = re.compile(r"[.!?Fe]")
 _CLOSED = re.compile(r"[.!?Fe].*[\"')]")
 _PLAIN_MARKS = re.compile(r"[\"')]*(?:\.|[!?]+)[\"')]*")
 _CAPITAL = re.compile(r"[ n][(\"']?a")
-_PEEK = 3
-"""Code points that `certain` looks at behind a candidate."""
 _SMALL = re.compile(r"(?<![^\s\"'“”‘’„»«(-])[^\W\d_]{2,}(?=[^\w\s]*$)")
 _WORD = re.compile(r"[^\W\d_]+")
 _LAST_WORD = re.compile(r"(?:(?<!\w)[^\W\d_]\.\s)*[^\W\d_]+(?:\.[^\W\d_]+)*$")
@@ -48,11 +46,11 @@ def candidate(kinds: str, run: re.Match[str], limit: int) -> bool:
     return end < limit and kinds[end] in " nf" and _MARK.search(found) is not None
 
 
-def certain(text: str, kinds: str, start: int, end: int, language: str) -> bool | None:
+def certain(text: str, kinds: str, start: int, end: int, language: str) -> bool:
     """Whether a candidate ends a sentence beyond doubt, so that pysbd need not be asked.
 
     Beyond doubt are, in languages with a table, marks behind a word of two or more small letters that is no
-    abbreviation, followed by a single space and a capital. None where the text does not reach far enough to tell.
+    abbreviation, followed by a single space and a capital.
 
     Args:
         text: Text that is known.
@@ -64,10 +62,8 @@ def certain(text: str, kinds: str, start: int, end: int, language: str) -> bool 
     if not tables(language).known or not _PLAIN_MARKS.fullmatch(kinds, start, end):
         return False
     following = _CAPITAL.match(kinds, end)
-    if following is None:
-        return None if len(text) < end + _PEEK else False
     word = _SMALL.search(text, max(0, start - 24), start)
-    if word is None or not text[following.end() - 1].isupper():
+    if following is None or word is None or not text[following.end() - 1].isupper():
         return False
     return word.group().islower() and word.group() not in _abbreviations(language)
 

@@ -117,7 +117,6 @@ class Reader:
         if self._at > _TRIM or self._at * 2 > len(self._text):
             drop = max(0, self._at - 1)
             self._text, self._kinds = self._text[drop:], self._kinds[drop:]
-            self._ends = [end - drop for end in self._ends]
             self._base += drop
             self._at -= drop
         self._text += piece
@@ -156,11 +155,9 @@ class Reader:
         return first is not None
 
     def _first_letter(self) -> int | None:
-        """The next letter or digit that is no part of an emoticon, as soon as that can be told."""
+        """The next letter or digit that is no part of an emoticon."""
         for match in _LETTER.finditer(self._kinds, self._at):
             place = match.start()
-            if place + 1 == len(self._text) and not self._over:
-                return None
             near = max(self._at, place - emoticons.LONGEST), min(len(self._text), place + 2)
             if not any(span.start <= place < span.end for span in emoticons.spans(self._text, *near)):
                 return place
@@ -174,15 +171,14 @@ class Reader:
         while True:
             first = self._candidate(start, judged, min(known, cap))
             end = cap if first is None else min(cap, max(first[1] + AHEAD, judged + STEP))
-            sure = first and judged == start and certain(self._text, self._kinds, *first, self._language)
-            if first and sure:
+            if first and judged == start and certain(self._text, self._kinds, *first, self._language):
                 self._ends, self._complete = [first[1]], True
                 return True
             apart = _BREAK.search(self._kinds, start, min(known, end))
             final = apart is not None or (self._over and known <= end)
             if final:
                 end = apart.start() if apart else known
-            if end > known or (sure is None and first and not final):
+            if end > known:
                 return False
             found = self._asked(max(start, judged - BEHIND), judged, end, final) if first and first[1] < end else []
             if final and found[-1:] != [end]:
@@ -212,7 +208,7 @@ class Reader:
         """Where to cut what has no end."""
         half = start + LONGEST // 2
         for pattern in _CUTS:
-            if (match := pattern.match(self._kinds, half, cap)) and match.end() > half:
+            if match := pattern.match(self._kinds, half, cap):
                 return match.end()
         return cap
 

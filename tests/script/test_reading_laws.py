@@ -4,19 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from scorebreath.errors import ScriptError
 from scorebreath.script import emoticons
+from scorebreath.script import reader as reading
 from scorebreath.script.decode import universal_newlines
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import Reader, read
 
+WORDS = "Alice was he A b Dr. Smith e.g. etc. U.S. d.h. usw. 3. Mai 3rd $5.50 € 7:30 Uhr 10-15 50% 15°C km/h 5 km XIV."
+STRANGE = "FBI well-known snake_case :-) :-o x@y.org https://a.b/c & # + = 0 007 2½ ２ ﬁ 你好 。 ！ مرحبا ؟ 😀"
+MARKS = "-- — ... … ! ? ?! . , ; : ( ) “ ” „ « » ' ’ _"
 PIECES = (
-    *"Alice was he A b Dr. Smith e.g. etc. U.S. d.h. usw. 3. Mai 3rd $5.50 € 7:30 Uhr 10-15 50% 15°C km/h 5 km".split(),
-    *"XIV. FBI NASA well-known snake_case :-) :-o x@y.org https://a.b/c & # + = 0 007 2½ ２ ﬁ 你好 。 ！ مرحبا ؟ 😀".split(),
-    *"-- — ... … ! ? ?! . , ; : ( ) “ ” „ « » ' ’ _".split(),
+    *WORDS.split(),
+    *STRANGE.split(),
+    *MARKS.split(),
     *("z. B.", "10 000", " – ", '"', " _ ", ": - (", "§ 5", " ", "  ", "\n", "\n\n", "\n \n", "\f", "\r\n", "\t"),
     *("\u200b", "\u0301", "\u200d", "\u00ad", "\x00"),
 )
@@ -119,6 +124,9 @@ def cut_texts(draw: st.DrawFn) -> tuple[str, list[str]]:
 
 
 @given(cut_texts(), LANGUAGES, st.booleans())
+@example(("好。:D ok", ["好。", ":D ok"]), "zh", False)
+@example(("Ah :-ok", ["Ah :-o", "k"]), "en", False)
+@example(("See you. X", ["See you. ", "X"]), "en", False)
 @settings(max_examples=400, deadline=None)
 def test_any_cutting_gives_the_same_sentences(case: tuple[str, list[str]], language: str, poem: bool) -> None:
     text, pieces = case
@@ -126,6 +134,25 @@ def test_any_cutting_gives_the_same_sentences(case: tuple[str, list[str]], langu
     whole = [] if script is None else list(script.sentences)
     assert fed(pieces, language, poem) == whole
     assert fed(list(text), language, poem) == whole
+
+
+@given(cut_texts(), LANGUAGES)
+@settings(max_examples=400, deadline=None)
+def test_small_windows_and_parts_keep_the_laws(case: tuple[str, list[str]], language: str) -> None:
+    """With the sizes of windows and parts made so small that short texts meet their ends."""
+    text, pieces = case
+    with pytest.MonkeyPatch.context() as patch:
+        for name, size in (("LONGEST", 50), ("STEP", 12), ("AHEAD", 8), ("BEHIND", 10), ("_TRIM", 8)):
+            patch.setattr(reading, name, size)
+        whole = fed([text], language, False)
+        assert fed(pieces, language, False) == whole
+        assert fed(list(text), language, False) == whole
+    plain = universal_newlines(text.removeprefix("\ufeff"))
+    assert all(sentence.source.cut(plain) == sentence.text for sentence in whole)
+    assert "".join(s.text + s.gap for s in whole) == (plain[whole[0].source.start :] if whole else "")
+    found = [place for sentence in whole for word in sentence.words for place in range(*word.source)]
+    assert len(found) == len(set(found))
+    assert letters(plain) <= set(found)
 
 
 @given(MADE, MADE)

@@ -125,6 +125,13 @@ def test_pysbd_is_shown_windows_that_do_not_grow(unit: str, monkeypatch: pytest.
     assert sum(shown) <= 4 * len(text)
 
 
+@pytest.mark.parametrize("length", range(40, 130))
+def test_nothing_is_decided_where_a_window_ends(length: int) -> None:
+    """A window that ends behind "No. " must not take it for the end of a sentence."""
+    text = "He met Mr. " + "and again ".ljust(length, "x") + " at No. 5 there."
+    assert sentences(text, "en") == [text]
+
+
 def test_pysbd_may_fail() -> None:
     """It builds patterns from the text: an unescaped bracket ends its German rules with an error."""
     assert sentences("Das z(b ist z.b so. Und nun? Gut.", "de")[-1] == "Gut."
