@@ -31,6 +31,8 @@ _PIECE = re.compile(rf"(?:.{{1,{LONGEST}}}(?!m)|.{{{LONGEST}}}m*)", re.DOTALL)
 _MARK = re.compile(r"[.!?;:,eFMN_)-]")
 _LEAD = re.compile(r"[^ n]*$")
 _OPENING = re.compile(r"[(\"]+$")
+_SPACED = frozenset((" ", ". ", "n", ".n"))
+"""Between two words that are next to each other, perhaps behind the full stop of an abbreviation."""
 _JOINT = re.compile(r"(?:[-N'm/]+|[()])?$")
 
 _EDGES: tuple[tuple[re.Pattern[str], Edge, str], ...] = (
@@ -95,32 +97,34 @@ def cut(text: str, gap: str, start: int, *, poem: bool) -> list[Written]:
     cores = cores or list(_cores(kinds[: len(text)]))
     if not cores:
         return []
-    limits = [*(core.start for core in cores[1:]), len(text) + len(gap)]
     words: list[Written] = []
     lead = line = place = 0
     opened = False
     lines = "\n" in text
-    for core, limit in zip(cores, limits, strict=True):
-        between = shown[core.end : limit]
+    for index, core in enumerate(cores):
+        first, stop = core
+        last = index == len(cores) - 1
+        limit = len(kinds) if last else cores[index + 1].start
+        between = shown[stop:limit]
         edge, mark = _edge(between.replace(")", "", 1) if opened else between, poem)
         opened = between == "("  # "engineer(s)": brackets inside a word
-        last = limit == limits[-1]
-        end, following = (len(text), limit) if last else _hang(between, core.end)
+        end, following = (len(text), limit) if last else _hang(between, stop)
+        bare = between == " " and not last
         if lines:
-            line += text.count("\n", place, core.start)
-            place = core.start
+            line += text.count("\n", place, first)
+            place = first
         words.append(
             Written(
                 source=Span(start + lead, start + end),
-                core=Span(start + core.start, start + core.end),
-                text=text[core.start : core.end],
-                plain=kinds[core.start : core.end].strip("ak") == "",
-                stopped=between.startswith("."),
-                spaced=between in (" ", ". ", "n", ".n"),
+                core=Span(start + first, start + stop),
+                text=text[first:stop],
+                plain=not kinds[first:stop].strip("ak"),
+                stopped=between[:1] == ".",
+                spaced=bare or between in _SPACED,
                 edge=edge,
                 mark=mark,
-                mark_source=_mark_source(shown, core.end, end, start) if mark or last else None,
-                marked="_" in between and (" " in between or "n" in between or last),
+                mark_source=None if bare or not (mark or last) else _mark_source(shown, stop, end, start),
+                marked=not bare and "_" in between and (last or " " in between or "n" in between),
                 line=line,
             )
         )
@@ -149,7 +153,10 @@ def _cores(shown: str) -> Iterator[Span]:
         first, last = match.span()
         found = match.group()
         if "-" not in found and "N" not in found:
-            yield from _pieces(shown, first, last)
+            if last - first <= LONGEST:
+                yield Span(first, last)
+            else:
+                yield from _pieces(shown, first, last)
             continue
         for hyphen in _HYPHEN.finditer(shown, first, last):
             place = hyphen.start()
