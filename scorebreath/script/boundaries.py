@@ -115,16 +115,24 @@ def _stands(text: str, kinds: str, start: int, end: int, language: str) -> bool:
     if initial and f"{word}.{initial[1].lower()}" in table.beginnings:
         return False
     goes_on = text[after].islower() or text[after].isdecimal()
+    if goes_on and language == "de" and text[start - 1 : start].isdecimal():
+        return text[after].isdecimal()
     return not (goes_on and (word in table.abbreviation or word.endswith(table.suffixes)))
 
 
 def _missed(text: str, start: int, end: int, language: str) -> bool:
-    """Whether pysbd took an end for part of an abbreviation that does stand last, as in "usw. Der"."""
+    """Whether pysbd took an end for an abbreviation's or an initial's, but a word follows that starts sentences.
+
+    As in "usw. Der Rest" and "Vitamin C. It helps".
+    """
     table = tables(language)
-    if text[start:end] != "." or _last_word(text, start) not in table.lists.get("often_last", ()):
-        return False
     following = _WORD.search(text, end)
-    return following is not None and following.group() in table.lists["starters"]
+    if not table.known or text[start:end] != "." or following is None:
+        return False
+    word = _last_word(text, start)
+    if word not in table.lists["often_last"] and not text[max(0, start - 2) : start].strip("([\"'“„").isupper():
+        return False
+    return following.group() in table.lists["starters"] and text[following.end() : following.end() + 1] != "."
 
 
 def _last_word(text: str, end: int) -> str:

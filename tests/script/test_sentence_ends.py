@@ -42,6 +42,8 @@ ENGLISH = [
     "I saw J. R. R. Tolkien, Prof. Lewis, Lt. Columbo and Dr. No.",
     "A line that is\nbroken here.| And another\nhere.",
     "The end …| Or not.",
+    "Take vitamin C.| It helps.",
+    "So did J. I. Smith and A. The.",
 ]
 GERMAN = [
     "Er kam am 3. Mai.| Dann ging er z.B. nach Hause.",
@@ -50,6 +52,7 @@ GERMAN = [
     "Wir treffen uns um 7.30 Uhr, d. h. früh.| Gut?",
     "Er wohnt in der Hauptstr. 5. Das Haus ist alt.",
     "Friedrich II. war König.| Im 18. Jh. starb er.",
+    "Am 24.12. ist Weihnachten.| Am 1.1. ist es vorbei.",
     "»Halt!«, rief er.| »Wer da?«",
 ]
 

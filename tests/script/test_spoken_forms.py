@@ -19,6 +19,8 @@ ENGLISH = """
 the 1990s or '90s or 80s = the nineteen nineties or nineties or eighties
 1st 2nd 3rd 21st = first second third twenty-first
 on May 3, 2024 = on May third, twenty twenty-four
+on 3 May, 3 Mar 2025 = on the third of May, the third of March twenty twenty-five
+$3.50/kg at 4.5/5 = three dollars and fifty cents per kilogram at four point five slash five
 on 3 May 2024 = on the third of May twenty twenty-four
 on 2024-05-17 = on May seventeenth twenty twenty-four
 at 7:05 or 7:00 or 19:30 = at seven oh five or seven o'clock or nineteen thirty
@@ -57,7 +59,8 @@ GERMAN = """
 1.000.000 Leute = eine Million Leute
 3,14 oder -5 °C = drei Komma eins vier oder minus fünf Grad Celsius
 1905 Arbeiter im Jahr 1905 = eintausendneunhundertfünf Arbeiter im Jahr neunzehnhundertfünf
-der 3. Mann am 3. Mai = der dritte Mann am dritten Mai
+der 3. Mann am 3. Mai in der 5. Etage = der dritte Mann am dritten Mai in der fünften Etage
+am 24.12. ist es, s. S. 12 = am vierundzwanzigsten Dezember ist es, siehe Seite zwölf
 vom 17.5.2024 an = vom siebzehnten Mai zweitausendvierundzwanzig an
 um 7.30 Uhr oder 19:30 oder 1 Uhr = um sieben Uhr dreißig oder neunzehn Uhr dreißig oder ein Uhr
 3:1 und 2½ = drei zu eins und zweieinhalb
@@ -161,7 +164,7 @@ def test_tables_are_whole(language: str) -> None:
     table = tables(language)
     needed = {
         "decimal", "thousands", "decimal_word", "point", "comma", "minus", "plus", "range", "ratio", "slash", "dot",
-        "dash", "underscore", "colon", "at", "oh", "number",
+        "dash", "underscore", "colon", "at", "oh", "per", "number",
     }  # fmt: skip
     assert needed <= set(table.settings)
     lists = {
@@ -172,6 +175,7 @@ def test_tables_are_whole(language: str) -> None:
         "months",
         "month_names",
         "verbs",
+        "dative",
         "often_last",
         "starters",
     }

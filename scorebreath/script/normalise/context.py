@@ -39,13 +39,25 @@ class Context:
 
     @property
     def before(self) -> str:
-        """The word before in lower case, or nothing."""
-        return self.words[self.index - 1].text.lower() if self.index else ""
+        """The word before in lower case, or nothing where punctuation stands between."""
+        return self._back(1)
+
+    @property
+    def before_that(self) -> str:
+        """The word before that one, in the same way."""
+        return self._back(2)
 
     @property
     def inner_stop(self) -> bool:
         """Whether a full stop follows that does not end the sentence: of an abbreviation or an ordinal."""
         return self.word.stopped and self.word.edge not in ("sentence", "paragraph")
+
+    def _back(self, steps: int) -> str:
+        """The word `steps` before, where only single spaces lie between."""
+        first = self.index - steps
+        if first < 0 or not all(word.spaced for word in self.words[first : self.index]):
+            return ""
+        return self.words[first].text.lower()
 
     def follower(self, steps: int = 1) -> Written | None:
         """The word `steps` further, where only single spaces lie between."""

@@ -12,7 +12,9 @@ from scorebreath.script.normalise.numbers import LARGEST, cardinal, ordinal, who
 def _day(number: int, context: Context) -> str:
     """A day of the month, after "am" with German's ending."""
     said = ordinal(number, context.tables.language)
-    return said + "n" if context.before in context.tables.lists["date_before"] else said
+    lists = context.tables.lists
+    dative = context.before == "der" and context.before_that in lists["dative"]
+    return said + "n" if dative or context.before in lists["date_before"] else said
 
 
 def date(match: re.Match[str], context: Context) -> Said | None:

@@ -55,7 +55,8 @@ def unit_of(text: str, tables: Tables) -> tuple[str, ...] | None:
 def mixture(text: str, tables: Tables) -> str:
     """Anything with figures: B52, 1.2.3, 0800-123-456, 192.168.0.1."""
     settings = tables.settings
-    named = {".": settings["point"], ",": settings["comma"], "+": settings["plus"]}
+    slash = settings["slash"] if "." in text or "," in text else ""
+    named = {"/": slash, ".": settings["point"], ",": settings["comma"], "+": settings["plus"]}
     singly = text.count("-") > 0 and re.fullmatch(r"[\d+/-]+", text) is not None
     said = []
     for token in _TOKENS.findall(text):

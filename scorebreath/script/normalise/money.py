@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from scorebreath.script.normalise.context import Context, Said
-from scorebreath.script.normalise.figures import amount, counting
+from scorebreath.script.normalise.figures import amount, counting, unit_of
 from scorebreath.script.normalise.numbers import cardinal
 from scorebreath.script.normalise.tables import Tables
 
@@ -13,10 +13,12 @@ from scorebreath.script.normalise.tables import Tables
 def money(match: re.Match[str], context: Context) -> Said | None:
     """$5, $5.50, $5 million, €5bn, 5€."""
     tables = context.tables
-    one, many, *_ = tables.currency[match["money"]]
+    many = tables.currency[match["money"]][1]
     parts = match.groupdict()
     sign = f"{tables.settings['minus']} " if parts.get("minus") else ""
     figures, unit = match["number"], parts.get("unit") or ""
+    if unit.startswith("/") and (share := unit_of(unit[1:], tables)):
+        return context.one(f"{sign}{spoken_money(figures, match['money'], tables)} {tables.settings['per']} {share[0]}")
     scale = tables.unit[unit][1] if unit in tables.unit else ""
     if unit and not scale:
         return None
@@ -26,10 +28,14 @@ def money(match: re.Match[str], context: Context) -> Said | None:
         return context.one(f"{sign}{counting(figures, scale, tables)} {scale} {many}", count=2)
     if scale:
         return context.one(f"{sign}{amount(figures, tables)} {scale} {many}")
-    if (small := _small_money(figures, match["money"], tables)) is not None:
-        return context.one(sign + small)
+    return context.one(sign + spoken_money(figures, match["money"], tables))
+
+
+def spoken_money(figures: str, symbol: str, tables: Tables) -> str:
+    """An amount of money, with its small coins where two decimals say so."""
+    one, many, *_ = tables.currency[symbol]
     noun = one if figures == "1" else many
-    return context.one(f"{sign}{counting(figures, noun, tables)} {noun}")
+    return _small_money(figures, symbol, tables) or f"{counting(figures, noun, tables)} {noun}"
 
 
 def money_behind(match: re.Match[str], context: Context) -> Said | None:

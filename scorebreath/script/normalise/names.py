@@ -20,7 +20,7 @@ _LONGEST_PHRASE = 4
 
 def say_name(context: Context) -> Said | None:
     """How a word of letters is said if not as written, by the first of the rules that knows it."""
-    for rule in (_unit, _phrase, _suffix, _title, _numbered, _saint, _roman, _capitals, _joined, _dotted):
+    for rule in (_unit, _numbered, _phrase, _month, _suffix, _title, _saint, _roman, _capitals, _joined, _dotted):
         if said := rule(context):
             return said
     return None
@@ -59,6 +59,16 @@ def _phrase(context: Context) -> Said | None:
         stopped = all(one.stopped for one in chosen)
         if said and (stopped or (count == 1 and "." in key)):
             return context.one(said, count=count, stop=last.stopped)
+    return None
+
+
+def _month(context: Context) -> Said | None:
+    """The Mar of "3 Mar 2025", without its full stop."""
+    key, following = context.word.text.lower(), context.follower()
+    if key not in context.tables.lists["month_names"] or key not in context.tables.abbreviation:
+        return None
+    if context.before[-1:].isdecimal() or (following and following.text[0].isdecimal()):
+        return context.one(context.tables.abbreviation[key])
     return None
 
 
