@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import IO, TYPE_CHECKING
 
 from scorebreath.errors import InputError
 from scorebreath_cli.outputs import STANDARD
@@ -49,7 +49,7 @@ def read_source(given: str) -> Source:
         OSError: It may not be read.
     """
     if given == STANDARD:
-        return _classified("<stdin>", None, sys.stdin.buffer.read())
+        return _classified("<stdin>", None, _bounded(sys.stdin.buffer))
     path = Path(given)
     try:
         if path.is_dir():
@@ -58,7 +58,8 @@ def read_source(given: str) -> Source:
             return Source(name=given, path=path, data=b"", kind="take")
         if path.name == _TAKE:
             return Source(name=given, path=path, data=b"", kind="take")
-        return _classified(given, path, path.read_bytes())
+        with path.open("rb") as stream:
+            return _classified(given, path, _bounded(stream))
     except (FileNotFoundError, NotADirectoryError):
         raise InputError(f"{given}: no such file") from None
     except ValueError as error:
@@ -117,6 +118,17 @@ def _name_of(given: str) -> str:
         path = path.parent
         return path.name or "score"
     return path.name if path.is_dir() else path.stem
+
+
+def _bounded(stream: IO[bytes]) -> bytes:
+    """All of it, or one byte more than is accepted: a device or a pipe may never end."""
+    from scorebreath.score.codec import LARGEST_FILE
+    from scorebreath.script.decode import LIMIT
+
+    data = stream.read(LIMIT + 1)
+    if len(data) > LIMIT and _JSON.match(data[:4096]):
+        data += stream.read(LARGEST_FILE + 1 - len(data))
+    return data
 
 
 def _classified(name: str, path: Path | None, data: bytes) -> Source:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any, NoReturn, TypeVar
 
 from pydantic import TypeAdapter, ValidationError
@@ -170,6 +171,22 @@ def parse_json(data: bytes, file: str = "") -> Json:
         raise ScoreError(f"{_named(file)}nested too deeply") from None
     except ValueError as error:  # an integer of thousands of digits
         raise ScoreError(f"{_named(file)}{error}") from None
+
+
+def read_whole(path: Path) -> bytes:
+    """A file's bytes, at most one more than is accepted: a device or a pipe may never end.
+
+    Raises:
+        ScoreError: It cannot be read, or is too large.
+    """
+    try:
+        with path.open("rb") as stream:
+            data = stream.read(LARGEST_FILE + 1)
+    except OSError as error:
+        raise ScoreError(f"{path}: cannot be read: {error.strerror}") from None
+    if len(data) > LARGEST_FILE:
+        raise ScoreError(f"{path}: larger than any score ({LARGEST_FILE} bytes)")
+    return data
 
 
 def check_schema(found: Json, wanted: str, file: str = "") -> None:

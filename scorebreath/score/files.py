@@ -8,7 +8,7 @@ from pathlib import Path
 
 from scorebreath.errors import EnvironmentFailure, ScoreError
 from scorebreath.media.store import FolderStore, MediaStore
-from scorebreath.score.codec import LARGEST_FILE, dumps, loads
+from scorebreath.score.codec import dumps, loads, read_whole
 from scorebreath.score.document import Score
 from scorebreath.score.take import TAKE_FILE, read_take
 
@@ -43,13 +43,7 @@ def load(path: Path) -> tuple[Score, MediaStore]:
     if path.is_dir() or path.name == TAKE_FILE:
         folder = path if path.is_dir() else path.parent
         return read_take(folder), FolderStore(folder)
-    try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise ScoreError(f"{path}: larger than any score ({LARGEST_FILE} bytes)")
-        data = path.read_bytes()
-    except OSError as error:
-        raise ScoreError(f"{path}: cannot be read: {error.strerror}") from None
-    return loads(data, str(path)), FolderStore(path.parent)
+    return loads(read_whole(path), str(path)), FolderStore(path.parent)
 
 
 def check_media(score: Score, media: MediaStore) -> None:

@@ -23,6 +23,7 @@ from scorebreath.score.codec import (
     encode,
     loads,
     parse_json,
+    read_whole,
 )
 from scorebreath.score.document import SCHEMA, Group, MediaInfo, Score
 from scorebreath.score.events import Event, WarningEvent
@@ -104,10 +105,7 @@ def read_take(folder: Path) -> Score:
         ScoreError: The take is missing, or a line other than the last is broken.
     """
     path = folder / TAKE_FILE
-    try:
-        lines = path.read_bytes().split(b"\n")
-    except OSError as error:
-        raise ScoreError(f"{path}: cannot be read: {error.strerror}") from None
+    lines = read_whole(path).split(b"\n")
     torn = lines.pop()  # what follows the last newline: nothing, unless the writer was cut off
     if not lines:
         raise ScoreError(f"{path}:1: a take begins with a header line")

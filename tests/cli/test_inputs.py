@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from scorebreath.errors import InputError
+from scorebreath.script.decode import LIMIT, decode
 from scorebreath_cli.inputs import load_score, names_of, read_source
 
 
@@ -65,3 +66,11 @@ def test_names_do_not_cover_each_other(tmp_path: Path, monkeypatch: pytest.Monke
     for pair in (["a/x.txt", "b/x.txt"], ["x.txt", "x.md"], ["x.txt", "X.txt"], ["-", "stdin.txt"], ["x", "x"]):
         with pytest.raises(InputError, match="rename one"):
             names_of(pair)
+
+
+@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="no endless device here")
+def test_an_input_that_never_ends_is_read_no_further_than_its_limit() -> None:
+    source = read_source("/dev/zero")
+    assert len(source.data) == LIMIT + 1
+    with pytest.raises(InputError, match="at most"):
+        decode(source.data, source.name)
