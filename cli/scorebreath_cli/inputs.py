@@ -10,14 +10,13 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
 from scorebreath.errors import InputError
-from scorebreath_cli.outputs import STANDARD
+from scorebreath_cli.outputs import SCORE, STANDARD, TAKE
 
 if TYPE_CHECKING:
     from scorebreath.media.store import MediaStore
     from scorebreath.score.document import Score
 
 _JSON = re.compile(rb"(?:\xef\xbb\xbf)?\s*\{\s*[\"}]")
-_TAKE = "take.jsonl"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,10 +52,11 @@ def read_source(given: str) -> Source:
     path = Path(given)
     try:
         if path.is_dir():
-            if not (path / _TAKE).is_file():
-                raise InputError(f"{given}: is a folder without {_TAKE}; expected a script, a score, or a take")
+            if not (path / TAKE).is_file():
+                hint = f"; its score is {path / SCORE}" if (path / SCORE).is_file() else ""
+                raise InputError(f"{given}: is a folder without {TAKE}; expected a script, a score, or a take{hint}")
             return Source(name=given, path=path, data=b"", kind="take")
-        if path.name == _TAKE:
+        if path.name == TAKE:
             return Source(name=given, path=path, data=b"", kind="take")
         with path.open("rb") as stream:
             return _classified(given, path, _bounded(stream))
@@ -112,9 +112,9 @@ def _name_of(given: str) -> str:
     if given == STANDARD:
         return "stdin"
     path = Path(given)
-    if path.name in ("score.json", _TAKE) or not path.name:
+    if path.name in (SCORE, TAKE) or not path.name:
         path = path.resolve()
-    if path.name in ("score.json", _TAKE):
+    if path.name in (SCORE, TAKE):
         path = path.parent
         return path.name or "score"
     return path.name if path.is_dir() else path.stem

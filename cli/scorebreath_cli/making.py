@@ -57,7 +57,7 @@ class Compiler:
         Args:
             source: A script.
             media: Where the speech goes.
-            meanwhile: Something useful to do while the voice gets ready.
+            meanwhile: Called just before the voice begins, to start what can be done beside it.
 
         Raises:
             InputError: The script, an option or a parameter is wrong.

@@ -106,7 +106,12 @@ Lead = Annotated[
 ]
 Tail = Annotated[
     float | None,
-    typer.Option("--tail", metavar="SECONDS", help="Time after the last sound; 1 by default.", rich_help_panel=BREATHS),
+    typer.Option(
+        "--tail",
+        metavar="SECONDS",
+        help="Silence after the body has come back to rest; 1 by default.",
+        rich_help_panel=BREATHS,
+    ),
 ]
 BreathSound = Annotated[
     bool | None,

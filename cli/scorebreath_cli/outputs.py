@@ -9,7 +9,7 @@ import signal
 import tempfile
 import threading
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import TracebackType
@@ -22,6 +22,10 @@ SET_FILES = (
 """What `render` writes into its folder beside the media; the Score last, as it names the others' source."""
 STANDARD = "-"
 """The name of stdin and stdout."""
+SCORE = "score.json"
+"""What an output folder calls its Score."""
+TAKE = "take.jsonl"
+"""What a take's folder holds."""
 _MEDIA = re.compile(r"(speech|breath)/[0-9a-f]{64}\.wav\Z")
 _NAMED = re.compile(rb'"path":"((?:speech|breath)/[0-9a-f]{64}\.wav)"')
 
@@ -47,6 +51,25 @@ def refuse_existing(folder: Path, names: tuple[str, ...], *, force: bool, beside
             raise InputError(f"{path}: is a folder; it stands where a file of that name would go")
         if not force and os.path.lexists(path) and not (besides and besides.exists() and path.samefile(besides)):
             raise InputError(f"{path} exists already; --force replaces it")
+
+
+def refuse_own_input(given: str, outputs: Iterable[Path]) -> None:
+    """Say early that an output would stand where the input does, under whatever name; --force does not mean that.
+
+    Args:
+        given: The input as given: a file, the folder of a take, or stdin.
+        outputs: Every file that would be replaced.
+
+    Raises:
+        InputError: Names the output.
+    """
+    path = Path(given)
+    if given == STANDARD or not path.exists():
+        return
+    files = [one for one in (path, path / TAKE) if one.is_file()]
+    for output in outputs:
+        if output.exists() and any(output.samefile(one) for one in files):
+            raise InputError(f"{output}: would replace its own input; expected another place for the output")
 
 
 class _Staging(ABC):
@@ -118,7 +141,23 @@ class staged(_Staging):  # noqa: N801 - reads as the context manager it is
             _merge(self._part, self.target, self._own(self.target))
             shutil.rmtree(self._part, ignore_errors=True)
         else:
+            self._appear()
+
+    def _appear(self) -> None:
+        """Another run may have made the folder meanwhile: what it wrote stays."""
+        try:
             self._part.rename(self.target)
+        except OSError:
+            made = [path.name for path in self._part.iterdir() if path.is_file()]
+            for path in (self.target / name for name in made):
+                if path.exists():
+                    raise InputError(
+                        f"{path} exists already, made by another run meanwhile; --force replaces it"
+                    ) from None
+            if not self.target.is_dir():
+                raise
+            _merge(self._part, self.target, set())
+            shutil.rmtree(self._part, ignore_errors=True)
 
 
 class staged_file(_Staging):  # noqa: N801

@@ -7,12 +7,12 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
-from threading import Event
+from threading import Event, Thread
 from typing import TYPE_CHECKING, BinaryIO
 
 from scorebreath_cli.inputs import Source, load_score, read_source
 from scorebreath_cli.making import Compiler
-from scorebreath_cli.outputs import SET_FILES, old_media, refuse_existing, staged
+from scorebreath_cli.outputs import SCORE, SET_FILES, old_media, refuse_existing, refuse_own_input, staged
 from scorebreath_cli.printers import Printer
 from scorebreath_cli.settings import frame_rate
 
@@ -62,6 +62,7 @@ class Renderer:
         """
         source = read_source(given)
         besides = source.path if source.kind == "score" else None
+        refuse_own_input(given, (folder / name for name in SET_FILES if besides is None or name != SCORE))
         refuse_existing(folder, SET_FILES, force=force, besides=besides)
         fps = self._begin(source)
         self._printer.started(source.name, str(folder))
@@ -100,7 +101,12 @@ class Renderer:
         from scorebreath.media.store import FolderStore
 
         media = FolderStore(part)
-        return self._compiler.compile(source, media, _imports), media
+        imports = Thread(target=_imports, name="imports")
+        try:
+            return self._compiler.compile(source, media, imports.start), media
+        finally:
+            if imports.ident is not None:
+                imports.join()
 
     def _sound_of(self, score: Score, media: MediaStore, stream: BinaryIO) -> None:
         from scorebreath.engine.offline import render
@@ -193,7 +199,7 @@ HEAVY = (
 
 
 def _imports() -> None:
-    """Bring in what rendering needs, while the voice gets ready; in one thread, as imports do not like company."""
+    """Bring in what rendering needs while the voice speaks; everything that compiling needs is there before."""
     import importlib
     from contextlib import suppress
 

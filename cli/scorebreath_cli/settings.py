@@ -96,10 +96,13 @@ def frame_rate(text: str) -> Fraction:
     """
     from fractions import Fraction
 
-    from scorebreath.formats.frames import check_rate
+    from scorebreath.formats.frames import HIGHEST, check_rate
 
     if not _RATE.fullmatch(text):
-        raise InputError(f"--fps {text[:40]!r}: expected frames per second such as 60, 29.97 or 30000/1001")
+        raise InputError(
+            f"--fps {text[:40]!r}: expected frames per second above 0 and at most {HIGHEST}, "
+            "such as 60, 29.97 or 30000/1001"
+        )
     return check_rate(Fraction(text))
 
 

@@ -46,13 +46,14 @@ def compile_(
         from scorebreath.errors import InputError
         from scorebreath_cli.inputs import read_source
         from scorebreath_cli.making import Compiler
-        from scorebreath_cli.outputs import STANDARD, refuse_existing, staged
+        from scorebreath_cli.outputs import STANDARD, refuse_existing, refuse_own_input, staged
 
         to_stdout = output == STANDARD
         if to_stdout and json_lines:
             raise InputError("--json tells its events on stdout, where -o - would put the score; use -o FILE")
         path = Path(output)
         if not to_stdout:
+            refuse_own_input(script, [path])
             refuse_existing(path.parent, (path.name,), force=force)
         with Compiler(options, printer) as compiler:
             source = read_source(script)

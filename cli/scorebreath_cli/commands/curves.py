@@ -69,7 +69,7 @@ def _write(
 
     from scorebreath.errors import InputError
     from scorebreath_cli.inputs import load_score, read_source
-    from scorebreath_cli.outputs import STANDARD, refuse_existing, staged_file
+    from scorebreath_cli.outputs import STANDARD, refuse_existing, refuse_own_input, staged_file
     from scorebreath_cli.settings import frame_rate
 
     rate = frame_rate(fps)
@@ -81,6 +81,7 @@ def _write(
     if output == STANDARD and json_lines:
         raise InputError("--json tells its events on stdout, where -o - would put the curves; use -o FILE")
     if output != STANDARD:
+        refuse_own_input(given, [path])
         refuse_existing(path.parent, (path.name,), force=force)
 
     from scorebreath.formats.formats import ExportOptions, format_named
