@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Literal
 
 from scorebreath.script.model import ScriptWord, Sentence, SentenceType
 from scorebreath.script.normalise.speak import speak
 from scorebreath.script.normalise.tables import tables
 from scorebreath.script.words import cut
-from scorebreath.spans import Span
+from scorebreath.spans import Span, SpokenText
 
 Ending = Literal["paragraph", "sentence"]
 """What can end with a sentence."""
 
 _QUESTION = frozenset("?？؟⁇⁉⁈‽՞፧")
+_DOTTED_CAPITAL = ("az", "tr")
+"""Languages with a dot on the capital I."""
 _EXCLAMATION = frozenset("!！‼")
 _ENDING: dict[SentenceType, str] = {"statement": ".", "question": "?", "exclamation": "!"}
 
@@ -53,16 +56,33 @@ def make_sentence(
     if line:
         for word in written:
             word.line += line
-    words: tuple[ScriptWord, ...] = tuple(speak(written, tables(language), text, start))
+    first, *others = speak(written, tables(language), text, start)
     return Sentence(
         source=Span(start, start + len(text)),
         text=text,
         gap=gap,
         type=kind,
-        words=words,
+        words=(_begun(first, language), *others),
         complete=edge is not None,
         stanza=stanza,
     )
+
+
+def _begun(word: ScriptWord, language: str) -> ScriptWord:
+    """A sentence's first word with a capital in its spoken text.
+
+    eSpeak takes a full stop for the end of a sentence only if no small letter follows. Nothing changes where the
+    capital is more than one code point, so that the way back stays exact; the bare words stay as they are.
+    """
+    spoken = word.spoken.text
+    place = next((place for place, letter in enumerate(spoken) if letter.isalnum()), None)
+    if place is None:
+        return word
+    capital = "İ" if language in _DOTTED_CAPITAL and spoken[place] == "i" else spoken[place].upper()
+    if len(capital) != 1 or capital == spoken[place]:
+        return word
+    text = spoken[:place] + capital + spoken[place + 1 :]
+    return replace(word, spoken=SpokenText(text=text, runs=word.spoken.runs))
 
 
 def _type(tail: str) -> SentenceType:

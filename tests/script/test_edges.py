@@ -121,9 +121,9 @@ def test_what_only_looks_like_an_emoticon_is_read() -> None:
         ("Wait... what?!", ["Wait...", "what?"]),
         ("No title\n\nText", ["No", "title.", "Text."]),
         ("So what!?", ["So", "what?"]),
-        ("well-known", ["well-", "known."]),
+        ("well-known", ["Well-", "known."]),
         ("(Aside.)", ["Aside."]),
-        ("it’s", ["it's."]),
+        ("it’s", ["It's."]),
     ],
 )
 def test_a_voice_is_given_plain_marks(text: str, spoken: list[str]) -> None:

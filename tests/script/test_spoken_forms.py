@@ -85,6 +85,11 @@ def said(words: list[ScriptWord]) -> str:
     return "".join(word.spoken.text + ("" if word.edge == "joint" else " ") for word in words).strip()
 
 
+def begun(spoken: str) -> str:
+    """With the capital that a sentence's first word gets."""
+    return spoken[0].upper() + spoken[1:]
+
+
 def words(text: str, language: str) -> list[ScriptWord]:
     return [word for sentence in read(text, language=language, poem=False).sentences for word in sentence.words]
 
@@ -95,12 +100,36 @@ def cases(table: str) -> list[tuple[str, str]]:
 
 @pytest.mark.parametrize(("written", "spoken"), cases(ENGLISH))
 def test_english(written: str, spoken: str) -> None:
-    assert said(words(written + " then", "en")) == spoken + " then."
+    assert said(words(written + " then", "en")) == begun(spoken) + " then."
 
 
 @pytest.mark.parametrize(("written", "spoken"), cases(GERMAN))
 def test_german(written: str, spoken: str) -> None:
-    assert said(words(written + " dann", "de")) == spoken + " dann."
+    assert said(words(written + " dann", "de")) == begun(spoken) + " dann."
+
+
+@pytest.mark.parametrize(
+    ("text", "language", "spoken"),
+    [
+        ("It was cold. 12 people came. we left.", "en", "It was cold. Twelve people came. We left."),
+        ("Yes. $5 was enough. vol. 2 is out.", "en", "Yes. Five dollars was enough. Volume two is out."),
+        ("Ja. ßa so. çok. 3d.", "fr", "Ja. ßa so. Çok. 3d."),
+        ("Evet. iyi. ılık.", "tr", "Evet. İyi. Ilık."),
+        ("Так. ні.", "uk", "Так. Ні."),
+    ],
+)
+def test_sentences_begin_with_a_capital(text: str, language: str, spoken: str) -> None:
+    """Or eSpeak runs on over the full stop."""
+    assert said(words(text, language)) == spoken
+
+
+def test_a_capital_changes_neither_the_way_back_nor_the_bare_words() -> None:
+    text = "Cold. 12 came. we left."
+    twelve, _, we, _ = words(text, "en")[1:]
+    assert (twelve.spoken.text, twelve.words, twelve.text) == ("Twelve", ("twelve",), "12")
+    assert (we.spoken.text, we.words, we.text) == ("We", ("we",), "we")
+    assert we.spoken.source(0, 1) == Span(text.index("we"), text.index("we") + 1)
+    assert twelve.spoken.source(0, 6) == Span(6, 8)
 
 
 def test_other_languages_stay_as_written_but_for_markers() -> None:
@@ -128,7 +157,7 @@ def test_the_way_back_is_exact() -> None:
 def test_letters_are_composed_and_ornament_goes() -> None:
     text = "cafe\u0301 co\u00adop \ufb01ne 𝓗𝓲 \u200bx\u0301\u0302\u0303\u0304\u0305\u0306 1\ufe0f\u20e3"
     spoken = [word.spoken.text for word in words(text, "en")]
-    assert spoken[:4] == ["café", "coop", "fine", "Hi"]
+    assert spoken[:4] == ["Café", "coop", "fine", "Hi"]
     assert len(spoken[4]) <= 5
     assert spoken[5] == "one."
     cafe, coop = words(text, "en")[:2]
@@ -155,7 +184,7 @@ def test_numbers_of_any_length_are_said(language: str) -> None:
 
 def test_letters_next_to_a_number_keep_their_word() -> None:
     assert [word.text for word in words("a 3-year-old", "en")] == ["a", "3", "year", "old"]
-    assert said(words("a 3-year-old", "en")) == "a three-year-old."
+    assert said(words("a 3-year-old", "en")) == "A three-year-old."
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -186,7 +215,7 @@ def test_tables_are_whole(language: str) -> None:
     assert all(len(names) == 2 for names in (*table.unit.values(), *table.fraction.values()))
     assert not table.spelled & table.read
     for short, long in table.title.items():
-        assert said(words(f"so {short.title()}. Xaver", language)) == f"so {long} Xaver."
+        assert said(words(f"so {short.title()}. Xaver", language)) == f"So {long} Xaver."
     for short, long in table.abbreviation.items():
         if short not in table.lists["often_last"]:
             assert f" {long} " in said(words(f"so {short}. we", language)), short
