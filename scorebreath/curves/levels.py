@@ -46,12 +46,9 @@ def speech_level(score: Score, body: str, reference_db: float) -> SpeechLevel:
     """The levels of one body's utterances.
 
     Raises:
-        ScoreError: Two utterances overlap, or a level has no positive step.
+        ScoreError: Two utterances overlap.
     """
     spoken = track([u for u in score.of(Utterance, body) if u.level.db], "utterances")
-    for event in spoken.events:
-        if event.level.step <= 0:
-            raise ScoreError(f"event {event.id!r}: level step={event.level.step:g} must be above 0 s")
     count = np.array([len(event.level.db) for event in spoken.events], dtype=np.intp)
     gained = [np.asarray(e.level.db, dtype=np.float64) + (e.gain_db - reference_db) for e in spoken.events]
     return SpeechLevel(

@@ -106,8 +106,6 @@ def _breath(
     length = noise.attack + noise.hold + noise.release
     if gain <= 0 or length <= 0:
         return
-    if not 0 < noise.seed < ENGINE_SEEDS:
-        raise ScoreError(f"event {event.id!r}: noise.seed={noise.seed} must be in 1..{ENGINE_SEEDS - 1}")
     if noise.source != "synth":
         raise ScoreError(f"event {event.id!r}: noise.source={noise.source[:12]!r} must be 'synth' in this version")
     level = _amplitude(event, "noise.level_db", body.voice.reference_db + noise.level_db + below_db)

@@ -5,13 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
+from scorebreath.errors import ScoreError
 from scorebreath.score.event import Event, Part, Profile
-from scorebreath.score.values import Number, Whole
+from scorebreath.score.values import FORWARD, SHARE, Limits, Number, Whole, limits
+
+TOLERANCE = 5e-6
+"""s that the parts of a breath may miss its whole by, each being rounded to the grid."""
+VOLUME = (0.0, 2.0)
+"""Limits of a lung volume, fraction of VC: the papers' capacity goes up to 200 %."""
+GAIN = (0.0, 1000.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Trapezoid(Part):
     """Linear attack to 1, hold, linear release to 0 (B46; ramps: physiology 3.3)."""
+
+    limits: ClassVar[Limits] = limits(attack=FORWARD, hold=FORWARD, release=FORWARD)
 
     attack: Number
     """s"""
@@ -24,6 +33,16 @@ class Trapezoid(Part):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Noise(Part):
     """The audible part of a breath; its length is its own, apart from the movement's."""
+
+    limits: ClassVar[Limits] = limits(
+        onset=FORWARD,
+        duration=FORWARD,
+        attack=FORWARD,
+        hold=FORWARD,
+        release=FORWARD,
+        level_db=(-200.0, 40.0),
+        seed=(1, 2**24 - 1),
+    )
 
     onset: Number
     """s from the event's onset"""
@@ -42,10 +61,23 @@ class Noise(Part):
     source: str = "synth"
     """`synth`, or the SHA-256 of a recording in the media"""
 
+    def __post_init__(self) -> None:
+        """Check the numbers, and that the ramps fill the noise.
+
+        Raises:
+            ScoreError: Attack, hold and release are not as long as the noise.
+        """
+        super(Noise, self).__post_init__()  # zero-argument super() breaks under dataclass slots
+        whole = self.attack + self.hold + self.release
+        if abs(whole - self.duration) > TOLERANCE:
+            raise ScoreError(f"Noise: attack + hold + release = {whole:g} s, but duration = {self.duration:g} s")
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lead(Part):
     """How long the face moves ahead of the flow."""
+
+    limits: ClassVar[Limits] = limits(mouth=(0.0, 0.5), nostril=(0.0, 0.5))
 
     mouth: Number = 0.0
     """s, at most the reach of an inspiration"""
@@ -72,6 +104,15 @@ class Inspiration(Event):
     """Air in: volume, face, two sounds (B4-B11)."""
 
     type: ClassVar[str] = "inspiration"
+    limits: ClassVar[Limits] = limits(
+        from_volume=VOLUME,
+        to_volume=VOLUME,
+        thorax_share=SHARE,
+        sound_nose=GAIN,
+        sound_mouth=GAIN,
+        nostril_flare=SHARE,
+        mouth_open=SHARE,
+    )
     kind: Literal["speech", "tidal", "gasp", "sigh", "sniff"] = "speech"
     from_volume: Number
     """fraction of VC"""
@@ -101,6 +142,7 @@ class Expiration(Event):
     """Air out, during speech or by itself (B12)."""
 
     type: ClassVar[str] = "expiration"
+    limits: ClassVar[Limits] = limits(from_volume=VOLUME, to_volume=VOLUME, thorax_share=SHARE)
     kind: Literal["speech", "tidal", "audible", "sigh", "laugh"] = "speech"
     from_volume: Number
     """fraction of VC"""
@@ -119,6 +161,7 @@ class Hold(Event):
     """The breath is held: volume stays where it is."""
 
     type: ClassVar[str] = "hold"
+    limits: ClassVar[Limits] = limits(volume=VOLUME, thorax_share=SHARE)
     volume: Number
     """fraction of VC"""
     thorax_share: Number

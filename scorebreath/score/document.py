@@ -9,11 +9,13 @@ from typing import Any, ClassVar, Literal, TypeVar
 from pydantic import ConfigDict
 
 from scorebreath.errors import ScoreError
-from scorebreath.score.events import Event, Extension, Part, SentenceType, Utterance
-from scorebreath.score.values import Gridded, Number, Whole
+from scorebreath.score.events import Event, Extension, Part, Phrase, SentenceType, Utterance
+from scorebreath.score.values import FORWARD, SHARE, Gridded, Limits, Number, Whole, limits
 
 SCHEMA = "scorebreath.score/1"
 E = TypeVar("E", bound=Event)
+RATE = (1.0, 1e6)
+"""Limits of a sample rate, Hz."""
 Site = Literal["text end", "paragraph", "sentence", "semicolon", "comma", "line", "marker", "clause", "phrase", "word"]
 """Kinds of boundary, strongest first."""
 
@@ -21,6 +23,8 @@ Site = Literal["text end", "paragraph", "sentence", "semicolon", "comma", "line"
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VoiceInfo(Part):
     """The voice a body speaks with."""
+
+    limits: ClassVar[Limits] = limits(sample_rate=RATE)
 
     engine: str
     voice: str
@@ -35,6 +39,8 @@ class VoiceInfo(Part):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Person(Part):
     """The body's lungs."""
+
+    limits: ClassVar[Limits] = limits(vital_capacity=(0.1, 20.0), resting_volume=SHARE)
 
     vital_capacity: Number
     """L"""
@@ -57,6 +63,8 @@ class Body(Part):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MediaInfo(Part):
     """Where samples lie, relative to the Score's file."""
+
+    limits: ClassVar[Limits] = limits(frames=(0, 2**48), sample_rate=RATE)
 
     path: str
     frames: Whole
@@ -89,6 +97,8 @@ class CutReason(Part):
 class Group(Part):
     """A breath group: what is said on one breath."""
 
+    limits: ClassVar[Limits] = limits(syllables=(0, 2**31))
+
     id: str
     body: str
     source: tuple[Whole, Whole]
@@ -110,6 +120,7 @@ class Score(Gridded):
     """
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
+    limits: ClassVar[Limits] = limits(duration=FORWARD)
 
     made_by: str
     seed: Whole
@@ -131,6 +142,11 @@ class Score(Gridded):
         _unique("body", [body.id for body in self.bodies])
         _unique("group", [group.id for group in self.groups])
         _unique("event", [event.id for event in self.events])
+        for place, source in self._sources():
+            if not 0 <= source[0] <= source[1] <= len(self.text):
+                raise ScoreError(
+                    f"{place}: source {list(source)} is no range of the text ({len(self.text)} code points)"
+                )
         bodies = {body.id for body in self.bodies}
         groups = {group.id for group in self.groups}
         for event in self.events:
@@ -138,10 +154,20 @@ class Score(Gridded):
                 raise ScoreError(f"event {event.id!r} names the body {event.body!r}, which the score does not have")
             if event.group is not None and event.group not in groups:
                 raise ScoreError(f"event {event.id!r} names the group {event.group!r}, which the score does not have")
-            if event.onset < 0 or event.duration < 0:
-                raise ScoreError(f"event {event.id!r}: onset={event.onset} and duration={event.duration} must be >= 0")
             if isinstance(event, Utterance) and event.media not in self.media:
                 raise ScoreError(f"event {event.id!r} names media {event.media[:12]!r}, which the score does not list")
+
+    def _sources(self) -> Iterator[tuple[str, tuple[int, int]]]:
+        """Every range of the text that is named, and by whom."""
+        for group in self.groups:
+            yield f"group {group.id!r}", group.source
+        for event in self.events:
+            if isinstance(event, Phrase):
+                yield f"event {event.id!r}", event.source
+            elif isinstance(event, Utterance):
+                for word in event.words:
+                    if word.source:
+                        yield f"word {word.text!r} of event {event.id!r}", word.source
 
     def of(self, kind: type[E], body: str | None = None) -> Iterator[E]:
         """Events of one type, of one body or of all, in the Score's order."""

@@ -13,7 +13,7 @@ from typing import Any, ClassVar, Literal
 
 from pydantic import ConfigDict
 
-from scorebreath.score.values import Gridded, Number
+from scorebreath.score.values import FORWARD, Gridded, Limits, Number, limits
 
 Origin = Literal["rule", "markup", "user", "performer"]
 Closing = Literal["final", "continuing", "question"]
@@ -36,6 +36,7 @@ class Event(Gridded):
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
     type: ClassVar[str] = ""
+    limits: ClassVar[Limits] = limits(onset=FORWARD, duration=FORWARD)
 
     id: str
     """Unique in the Score."""

@@ -6,12 +6,14 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from scorebreath.score.event import Closing, Event, Part, PauseKind, SentenceType
-from scorebreath.score.values import Flag, Number, Whole
+from scorebreath.score.values import FORWARD, LARGEST, Flag, Limits, Number, Whole, limits
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Word(Part):
     """A word as it is spoken."""
+
+    limits: ClassVar[Limits] = limits(onset=FORWARD, duration=FORWARD)
 
     text: str
     onset: Number
@@ -29,6 +31,8 @@ class Word(Part):
 class Phone(Part):
     """A phone; phones are contiguous over the utterance, pauses among them."""
 
+    limits: ClassVar[Limits] = limits(onset=FORWARD, duration=FORWARD)
+
     ipa: str
     """International Phonetic Alphabet; empty for a pause"""
     onset: Number
@@ -45,6 +49,8 @@ class Phone(Part):
 class Pitch(Part):
     """Fundamental frequency, one value a step, the first at half a step."""
 
+    limits: ClassVar[Limits] = limits(step=(1e-6, LARGEST))
+
     step: Number
     """s"""
     hertz: tuple[Number, ...]
@@ -54,6 +60,8 @@ class Pitch(Part):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Level(Part):
     """Level of the sound, one value a step, the first at half a step."""
+
+    limits: ClassVar[Limits] = limits(step=(1e-6, LARGEST))
 
     step: Number
     """s"""
@@ -66,6 +74,7 @@ class Utterance(Event):
     """The speech of one breath group."""
 
     type: ClassVar[str] = "utterance"
+    limits: ClassVar[Limits] = limits(gain_db=(-200.0, 60.0))
     media: str
     """SHA-256 of the samples"""
     gain_db: Number

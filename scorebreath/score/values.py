@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
-from typing import Annotated, Any, TypeVar, get_type_hints
+from types import MappingProxyType
+from typing import Annotated, Any, ClassVar, TypeVar, get_type_hints
 
 import numpy as np
 from pydantic import Strict
@@ -22,6 +23,17 @@ Flag = Annotated[bool, Strict()]
 """True or false, nothing that merely looks like it."""
 
 LARGEST = 1e9
+Limits = Mapping[str, tuple[float, float]]
+
+
+def limits(**named: tuple[float, float]) -> Limits:
+    """Limits of some fields, as a class holds them."""
+    return MappingProxyType(named)
+
+
+FORWARD = (0.0, LARGEST)
+"""Limits of a time or a length."""
+SHARE = (0.0, 1.0)
 T = TypeVar("T")
 
 
@@ -34,12 +46,14 @@ class Gridded:
     """Base of everything in a Score: refuses numbers that a save and a load would change."""
 
     __slots__ = ()
+    limits: ClassVar[Limits] = MappingProxyType({})
+    """lowest and highest value of fields that have them; those of base classes hold too"""
 
     def __post_init__(self) -> None:
         """Check every number and every array of numbers.
 
         Raises:
-            ScoreError: A number is not finite, off the grid, -0.0, or beyond 1e9.
+            ScoreError: A number is not finite, off the grid, -0.0, or outside its limits (1e9 where none are named).
         """
         for name in _numbers(type(self)):
             value = getattr(self, name)
@@ -50,6 +64,10 @@ class Gridded:
                 object.__setattr__(self, name, value)
             if not _on_grid(value):
                 raise ScoreError(f"{type(self).__name__}.{name}={value!r} must be a finite multiple of 1e-6 (not -0.0)")
+        for name, (low, high) in limits_of(type(self)).items():
+            value = getattr(self, name)
+            if value is not None and not low <= value <= high:
+                raise ScoreError(f"{type(self).__name__}.{name}={value!r} must be in [{low:g}, {high:g}]")
         for name in _series(type(self)):
             given = getattr(self, name)
             if any(type(value) is not float for value in given):
@@ -61,6 +79,12 @@ class Gridded:
                 and not np.any(np.signbit(values) & (values == 0))
             ):
                 raise ScoreError(f"{type(self).__name__}.{name} must hold finite multiples of 1e-6 (no -0.0)")
+
+
+@per_class
+def limits_of(kind: Any) -> Mapping[str, tuple[float, float]]:
+    """All limits of a class, its own and its bases'."""
+    return {name: pair for base in reversed(kind.__mro__) for name, pair in vars(base).get("limits", {}).items()}
 
 
 def _on_grid(value: float) -> bool:

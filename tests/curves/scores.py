@@ -91,7 +91,7 @@ def score_of(
         engine="tone", voice="tone", version="1", licence="CC0-1.0", sample_rate=24000, reference_db=REFERENCE_DB
     )
     return Score(
-        made_by="tests", seed=1, language="en", model="natural", text=text,
+        made_by="tests", seed=1, language="en", model="natural", text=text or " " * 10_000,
         duration=duration or max((snap(event.end) for event in events), default=0.0),
         bodies=(Body(id="body", voice=voice, person=Person(vital_capacity=capacity, resting_volume=resting)),),
         media={MEDIA: MediaInfo(path="speech.wav", frames=1, sample_rate=24000, kind="speech")},

@@ -169,7 +169,6 @@ def test_a_rounded_border_leaves_no_gap() -> None:
     [
         ([inspiration(PLAIN, 1.0, REST, id="a"), inspiration(PLAIN, 1.5, REST, id="b")], ["'a'", "'b'", "overlap"]),
         ([utterance(PLAIN, 0.0, 0, id="a"), utterance(PLAIN, 2.0, 0, id="b")], ["'a'", "'b'", "overlap"]),
-        ([dataclasses.replace(inspiration(PLAIN, 1.0, REST), lead=Lead(mouth=0.6))], ["'i'", "0.6", "[0, 0.5]"]),
         (
             [dataclasses.replace(inspiration(PLAIN, 1.0, REST), face=Trapezoid(attack=0.5, hold=0.5, release=0.0))],
             ["'i'", "hold=0.5", "at most its duration"],
@@ -183,7 +182,6 @@ def test_a_rounded_border_leaves_no_gap() -> None:
             ],
             ["'i'", "noise onset=0.5", "within"],
         ),
-        ([dataclasses.replace(utterance(PLAIN, 0.0, 0), level=Level(step=0.0, db=(0.0,)))], ["'u'", "step=0"]),
     ],
 )
 def test_contradictions_are_refused(events: list[Inspiration | Utterance], words: list[str]) -> None:

@@ -15,12 +15,18 @@ from scorebreath.score.document import (
     MediaInfo,
     Score,
 )
-from scorebreath.score.events import EVENTS, Event, Part, Unknown, Utterance
-from scorebreath.score.values import Flag, Number, Whole, per_class
-from scorebreath.units import snap
+from scorebreath.score.events import EVENTS, Event, Noise, Part, Unknown, Utterance
+from scorebreath.score.values import Flag, Number, Whole, limits_of, per_class
+from scorebreath.units import GRID, snap
 
-numbers = st.integers(-2_000_000_000, 2_000_000_000).map(lambda n: snap(n / 1_000_000))
-positive = st.integers(0, 2_000_000_000).map(lambda n: snap(n / 1_000_000))
+
+def numbers_in(low: float, high: float) -> st.SearchStrategy[float]:
+    """Numbers on the grid."""
+    return st.integers(round(low * GRID), round(min(high, 1e6) * GRID)).map(lambda n: snap(n / GRID))
+
+
+numbers = numbers_in(-2000, 2000)
+positive = numbers_in(0, 2000)
 names = st.text(st.characters(codec="utf-8"), max_size=12)
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers(-(2**53), 2**53) | names,
@@ -31,12 +37,14 @@ extensions = st.dictionaries(names.map(lambda name: f"x_{name}"), json_values, m
 MEDIA = ["0" * 64, "f" * 64]
 
 
-def of_type(hint: Any) -> st.SearchStrategy[Any]:
-    """Values of a field's type."""
+def of_type(hint: Any, low: float = -2000.0, high: float = 2000.0) -> st.SearchStrategy[Any]:
+    """Values of a field's type within its limits."""
     if hint == Number:
-        return numbers
+        return numbers_in(low, high)
     if hint == Whole:
-        return st.integers(-(2**53), 2**53)
+        return st.integers(int(low), int(high))
+    if hint == tuple[Whole, Whole]:
+        return st.just((0, 0))  # a range of every text
     if hint == Flag:
         return st.booleans()
     if hint is str:
@@ -48,6 +56,8 @@ def of_type(hint: Any) -> st.SearchStrategy[Any]:
         return st.lists(of_type(args[0]), max_size=3).map(tuple)
     if origin is tuple:
         return st.tuples(*[of_type(arg) for arg in args])
+    if hint is Noise:
+        return noises()
     if isinstance(hint, type) and issubclass(hint, Part):
         return st.builds(hint, **fields_of(hint))
     if origin is collections.abc.Mapping:
@@ -63,8 +73,18 @@ def of_type(hint: Any) -> st.SearchStrategy[Any]:
 def fields_of(kind: Any) -> dict[str, st.SearchStrategy[Any]]:
     """A strategy for each field of a class of the Score."""
     hints = typing.get_type_hints(kind, include_extras=True)
-    special: dict[str, st.SearchStrategy[Any]] = {"x": extensions}
-    return {f.name: special[f.name] if f.name in special else of_type(hints[f.name]) for f in dataclasses.fields(kind)}
+    limits = limits_of(kind)
+    found = {f.name: of_type(hints[f.name], *limits.get(f.name, ())) for f in dataclasses.fields(kind) if f.name != "x"}
+    return {**found, "x": extensions} if "x" in hints else found
+
+
+@st.composite
+def noises(draw: st.DrawFn) -> Noise:
+    """Noises whose ramps fill them."""
+    values = {name: draw(strategy) for name, strategy in fields_of(Noise).items()}
+    parts = [draw(numbers_in(0, 5)) for _ in range(3)]
+    values.update(zip(("attack", "hold", "release"), parts, strict=True))
+    return Noise(**{**values, "duration": snap(sum(parts))})
 
 
 @per_class

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from scorebreath.errors import ScoreError
 from scorebreath.score.codec import dumps, loads
-from scorebreath.score.document import Body, Person, Score, VoiceInfo
-from scorebreath.score.events import EVENTS, Marker
+from scorebreath.score.document import Body, CutReason, Group, MediaInfo, Person, Score, VoiceInfo
+from scorebreath.score.events import EVENTS, Event, Lead, Level, Marker, Noise, Phone, Phrase, Pitch, Trapezoid, Word
+from scorebreath.score.values import limits_of
 
-from .strategies import scores
+from .strategies import event_of, of_type, scores
 
 
 def marker(name: str = "a", body: str = "body", onset: float = 0.0, group: str | None = None) -> Marker:
@@ -32,7 +35,6 @@ def empty() -> Score:
         ((marker(), marker()), "'a' is used twice"),
         ((marker(body="ghost"),), "names the body 'ghost'"),
         ((marker(group="g9"),), "names the group 'g9'"),
-        ((marker(onset=-1.0),), "must be >= 0"),
     ],
 )
 def test_what_is_named_must_exist(events: tuple[Marker, ...], said: str) -> None:
@@ -44,6 +46,42 @@ def test_what_is_named_must_exist(events: tuple[Marker, ...], said: str) -> None
         event.pop("x")
     with pytest.raises(ScoreError, match=said):
         loads(json.dumps(plain).encode())
+
+
+PARTS = {Noise, Lead, Trapezoid, Word, Phone, Pitch, Level, Person, MediaInfo, VoiceInfo}
+CLASSES = sorted({kind for kind, _ in EVENTS.values()} | PARTS, key=lambda kind: kind.__name__)
+
+
+@settings(max_examples=5, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
+@pytest.mark.parametrize("kind", CLASSES)
+@given(st.data())
+def test_every_limit_is_kept(kind: Any, data: st.DataObject) -> None:
+    good = data.draw(event_of(kind) if issubclass(kind, Event) else of_type(kind))
+    for name, (low, high) in limits_of(kind).items():
+        for beyond in (low - 1, high * 2 + 1):
+            whole = isinstance(getattr(good, name), int)
+            with pytest.raises(ScoreError, match=f"{kind.__name__}.{name}"):
+                dataclasses.replace(good, **{name: int(beyond) if whole else float(beyond)})
+
+
+def test_the_ramps_of_a_noise_fill_it() -> None:
+    with pytest.raises(ScoreError, match="hold"):
+        Noise(onset=0.0, duration=0.44, attack=0.1, hold=99.0, release=0.1, level_db=-24.0, seed=1)
+
+
+@pytest.mark.parametrize("source", [(-5, 1000), (3, 1), (0, 4)])
+def test_ranges_lie_within_the_text(source: tuple[int, int]) -> None:
+    text = dataclasses.replace(empty(), text="abc")
+    reason = CutReason(site="text end", rule="")
+    group = Group(id="g", body="body", source=source, text="", syllables=1, sentence_type="statement", cut=reason)
+    with pytest.raises(ScoreError, match="no range of the text"):
+        dataclasses.replace(text, groups=(group,))
+    phrase = Phrase(
+        id="p", body="body", onset=0.0, duration=1.0, source=source, break_index=4, position="final",
+        sentence_type="statement",
+    )  # fmt: skip
+    with pytest.raises(ScoreError, match="no range of the text"):
+        dataclasses.replace(text, events=(phrase,))
 
 
 @settings(max_examples=30, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
