@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
-from typing import Annotated
+from typing import Annotated, Any, cast
 
 import typer
+from typer.core import TyperGroup
 
 from scorebreath_cli.commands.compile import compile_
 from scorebreath_cli.commands.curves import curves
@@ -16,6 +18,8 @@ from scorebreath_cli.commands.presets import presets
 from scorebreath_cli.commands.render import render
 from scorebreath_cli.commands.schema import schema
 from scorebreath_cli.commands.voices import voices
+from scorebreath_cli.failures import Failure, Status
+from scorebreath_cli.printers import HumanPrinter
 
 MAKE, LOOK = "Make", "Look"
 Examples = tuple[str, ...]
@@ -61,8 +65,43 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
 
 STATUSES = "0 done, 1 a bug of ours, 2 bad usage or input, 3 environment (engine, voice, disk), 130 interrupted"
 
+
+_Complaint = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[2])
+"""Whatever is wrong with a command line; which library it comes from depends on typer's version."""
+
+
+class _Commands(TyperGroup):
+    """Tells bad usage as every other error is told: in one line."""
+
+    def main(self, *args: Any, standalone_mode: bool = True, **extra: Any) -> Any:
+        """Run a command line; always ends in SystemExit unless `standalone_mode` is off."""
+        try:
+            status = super().main(*args, **{**extra, "standalone_mode": False})
+        except _Complaint as error:
+            if not standalone_mode:
+                raise
+            if type(error).__name__ != "NoArgsIsHelpError":  # has shown the help already
+                _complain(error)
+            sys.exit(Status.INPUT)
+        except typer.Abort:
+            if not standalone_mode:
+                raise
+            sys.exit(Status.INTERRUPTED)
+        if not standalone_mode:
+            return status
+        sys.exit(status or Status.DONE)
+
+
+def _complain(error: typer.BadParameter) -> None:
+    said = " ".join(error.format_message().split()).rstrip(".")
+    command = error.ctx.command_path if error.ctx else "scorebreath"
+    message = f"{said[:1].lower()}{said[1:]}; try `{command} --help`"
+    HumanPrinter().failed(Failure(status=Status.INPUT, kind=type(error).__name__, message=message))
+
+
 app = typer.Typer(
     name="scorebreath",
+    cls=_Commands,
     help="Speech breathing for talking characters: text in; breath, voice and animation curves out.",
     epilog=f"[bold]Example[/bold]  scorebreath render speech.txt -o out\n\n[bold]Exit status[/bold]  {STATUSES}",
     no_args_is_help=True,

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 from types import FrameType
 from typing import NoReturn
+
+LAST_STANDARD = 2
+"""Descriptors up to this one are children's as well."""
 
 
 def main() -> NoReturn:
@@ -18,12 +22,22 @@ def main() -> NoReturn:
         for name in ("SIGTERM", "SIGHUP"):
             if hasattr(signal, name):
                 signal.signal(getattr(signal, name), _end)
+        _open_closed()
         from scorebreath_cli.app import app
 
-        app()
+        app(prog_name="scorebreath")
     except KeyboardInterrupt:
         sys.exit(130)
     sys.exit(0)
+
+
+def _open_closed() -> None:
+    """Streams that were closed when we began (`>&-`) take and give nothing."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            stream = open(os.devnull, mode, encoding="utf-8")  # noqa: PTH123, SIM115 - open until we end
+            os.set_inheritable(stream.fileno(), stream.fileno() <= LAST_STANDARD)
+            setattr(sys, name, stream)
 
 
 def _end(number: int, _frame: FrameType | None) -> NoReturn:

@@ -14,6 +14,16 @@ if TYPE_CHECKING:
 
 EVENT_SCHEMA = "scorebreath.event/1"
 Row = Mapping[str, Any]
+_SHOWN_AS_CODE = {
+    code: f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}"
+    for code in (
+        *range(0x20), *range(0x7F, 0xA0),  # C0, DEL and C1: a terminal obeys them
+        0x061C, 0x200E, 0x200F, *range(0x2028, 0x202F), *range(0x2066, 0x206A),  # lines and directions
+    )
+}  # fmt: skip
+"""What a text or a file name must not do to a terminal."""
+_IN_TEXT = {code: shown for code, shown in _SHOWN_AS_CODE.items() if chr(code) not in "\n\t"}
+_IN_JSON = {code: f"\\u{code:04x}" for code in _SHOWN_AS_CODE if code >= 0x7F}
 STAGES = {"speak": "Speaking", "sound": "Rendering"}
 """Stages of a long command, in their order, and what people are told."""
 
@@ -52,18 +62,18 @@ class Printer(Protocol):
         """Take down what is drawn."""
 
 
-def make(json_lines: bool) -> Printer:
-    """The printer for `--json`, or for people."""
-    return JsonPrinter() if json_lines else HumanPrinter()
+def make(json_lines: bool, source: str = "") -> Printer:
+    """The printer for `--json`, or for people; errors are about `source` until work on another begins."""
+    return JsonPrinter(source) if json_lines else HumanPrinter()
 
 
 class JsonPrinter:
     """One event a line on stdout, each with its schema."""
 
-    def __init__(self) -> None:
+    def __init__(self, source: str = "") -> None:
         """Nothing told yet."""
         self._last = ("", -1)
-        self._source = ""
+        self._source = source
 
     def started(self, source: str, output: str) -> None:
         """`started`."""
@@ -98,8 +108,9 @@ class JsonPrinter:
         """`error`."""
         place = {"line": failure.line, "column": failure.column} if failure.line else {}
         self._emit(
-            "error", source=source, status=int(failure.status), kind=failure.kind, message=failure.message, **place
-        )
+            "error", source=source or self._source, status=int(failure.status), kind=failure.kind,
+            message=failure.message, **place,
+        )  # fmt: skip
 
     def done(self, status: int, said: str = "", **summary: Any) -> None:
         """`done`."""
@@ -110,6 +121,7 @@ class JsonPrinter:
 
     def _emit(self, event: str, **fields: Any) -> None:
         line = json.dumps({"schema": EVENT_SCHEMA, "event": event, **fields}, ensure_ascii=False, allow_nan=False)
+        line = line.translate(_IN_JSON)
         sys.stdout.write(line.encode("utf-8", "backslashreplace").decode("utf-8") + "\n")
         sys.stdout.flush()
 
@@ -126,7 +138,7 @@ class HumanPrinter:
     def started(self, source: str, output: str) -> None:
         """Remember whose progress it is."""
         self.close()
-        self._source = source
+        self._source = source.translate(_SHOWN_AS_CODE)
 
     def progress(self, stage: str, fraction: float) -> None:
         """Move the bar."""
@@ -138,9 +150,9 @@ class HumanPrinter:
         self._bar.update(self._task, description=f"{STAGES.get(stage, stage)} {self._source}", completed=fraction)
 
     def written(self, path: str, size: int) -> None:
-        """The path, on stdout."""
+        """The path, on stdout, in one line."""
         self.close()
-        _print(path)
+        _print(path.translate(_SHOWN_AS_CODE))
 
     def note(self, text: str) -> None:
         """On stderr."""
@@ -203,7 +215,7 @@ class HumanPrinter:
         self.close()
         sys.stdout.flush()
         encoding = sys.stderr.encoding or "utf-8"
-        sys.stderr.write(text.encode(encoding, "backslashreplace").decode(encoding) + "\n")
+        sys.stderr.write(printable(text).encode(encoding, "backslashreplace").decode(encoding) + "\n")
         sys.stderr.flush()
 
 
@@ -219,6 +231,15 @@ def plain_table(rows: Sequence[Row], columns: Sequence[str]) -> list[str]:
     return ["  ".join(f"{text:{width}}" for text, width in zip(line, widths, strict=True)).rstrip() for line in cells]
 
 
+def printable(text: str) -> str:
+    r"""A text that a terminal shows and does not obey: other controls than line ends and tabs become their codes.
+
+    >>> printable("caf\u00e9\x1b[31m\n\u202e")
+    'caf\u00e9\\x1b[31m\n\\u202e'
+    """
+    return text.translate(_IN_TEXT)
+
+
 def _cell(value: object) -> str:
     if value is None:
         return ""
@@ -228,7 +249,7 @@ def _cell(value: object) -> str:
         return f"{value:g}"
     if isinstance(value, (list, tuple)):
         return ", ".join(_cell(part) for part in value)
-    return str(value)
+    return printable(str(value))
 
 
 def _small(column: str, value: object) -> str:
@@ -238,7 +259,7 @@ def _small(column: str, value: object) -> str:
 
 def _print(text: str) -> None:
     encoding = sys.stdout.encoding or "utf-8"
-    sys.stdout.write(text.encode(encoding, "backslashreplace").decode(encoding) + "\n")
+    sys.stdout.write(printable(text).encode(encoding, "backslashreplace").decode(encoding) + "\n")
 
 
 def _bar() -> tuple[Progress, TaskID]:

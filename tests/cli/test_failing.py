@@ -83,6 +83,10 @@ WRONG: dict[str, list[str]] = {
     "engine": ["--engine", "organ"],
     "rate": ["--rate", "7"],
     "fps": ["--fps", "0"],
+    "fps below 0": ["--fps", "-1"],
+    "fps nan": ["--fps", "nan"],
+    "fps exponent": ["--fps", "1e9"],
+    "fps above all": ["--fps", "100001"],
 }
 
 
@@ -93,6 +97,7 @@ def test_wrong_options_are_refused_in_a_line_that_names_the_value(tmp_path: Path
     assert result.exit_code in ((2, 3) if name in ("voice of no engine", "language") else (2,)), result.stderr
     said = WRONG[name][1].partition("=")[0]
     assert said in result.stderr
+    assert "100000" in result.stderr or not name.startswith("fps")
     assert "Traceback" not in result.stderr
     assert not (tmp_path / "out").exists()
 
@@ -297,3 +302,66 @@ def test_no_terminal_no_colours(tmp_path: Path) -> None:
     result = spawn("render", tmp_path / "in.txt", "-o", tmp_path / "out", "--voice", "tone")
     assert (result.returncode, result.stderr) == (0, b"")
     assert b"\x1b" not in result.stdout
+
+
+@pytest.mark.skipif(os.name != "posix", reason="closes descriptors as a shell does")
+@pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-"])
+def test_closed_streams_are_nobodys_error(tmp_path: Path, closed: str) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    for words, status in (
+        ("compile in.txt -o out/s.json --voice tone", 0),
+        ("compile missing.txt", 2),
+        ("rendr", 2),
+        ("params --json", 0),
+    ):
+        result = subprocess.run(
+            ["sh", "-c", f'"$@" {closed}', "sh", *PROGRAM, *words.split()],
+            cwd=tmp_path, env=ENVIRONMENT, capture_output=True, timeout=60, check=False,
+        )  # fmt: skip
+        assert result.returncode == status, (words, result.stderr)
+        assert b"Traceback" not in result.stdout + result.stderr
+    assert (tmp_path / "out" / "s.json").stat().st_size > 0
+
+
+CONTROL = "\x1b]0;owned\x07\x9b31m\x7f\u202e"
+
+
+def test_no_control_reaches_the_terminal(tmp_path: Path) -> None:
+    name = f"in{CONTROL}.txt"
+    (tmp_path / name).write_text(f"Hello {CONTROL} there.", encoding="utf-8")
+    (tmp_path / f"bad{CONTROL}.txt").write_bytes(b"one\0two")
+    (tmp_path / f"{CONTROL}.json").write_text(json.dumps({"schema": CONTROL}))
+    (tmp_path / "line\nbreak").mkdir()
+    out = tmp_path / "line\nbreak" / f"s{CONTROL}.json"
+    told = [
+        run("compile", tmp_path / name, "-o", out, "--voice", "tone"),
+        run("explain", tmp_path / name),
+        run("explain", out),
+        run("explain", tmp_path / f"bad{CONTROL}.txt"),
+        run("explain", tmp_path / f"missing{CONTROL}"),
+        run("explain", tmp_path / f"{CONTROL}.json"),
+        run("params", "--set", f"nose_share={CONTROL}"),
+        run("compile", tmp_path / name, "-o", out, "--voice", CONTROL, "--force"),
+    ]
+    assert [result.exit_code for result in told] == [0, 0, 0, 2, 2, 2, 2, 2]
+    for result in told:
+        assert not set(result.output) & set(CONTROL) - set("]0;owned31m")
+    assert told[0].stdout.count("\n") == 1
+    assert "\\x1b]0;owned\\x07\\x9b31m\\x7f\\u202e" in told[0].stdout
+    as_json = run("explain", tmp_path / f"missing{CONTROL}", "--json")
+    assert not set(as_json.output) & set(CONTROL) - set("]0;owned31m")
+    assert events(as_json.stdout)[0]["message"].endswith(f"missing{CONTROL}: no such file")
+
+
+def test_an_error_event_names_its_input(tmp_path: Path) -> None:
+    for command in (["render", "-o", tmp_path / "out"], ["compile"], ["explain"], ["curves"]):
+        given = [*command, "-o", tmp_path / "x.json"] if command[0] in ("compile", "curves") else command
+        (told,) = events(run(*given, tmp_path / "missing.txt", "--json").stdout)
+        assert (told["event"], told["source"]) == ("error", str(tmp_path / "missing.txt"))
+
+
+def test_an_output_folder_given_as_input_leads_to_its_score(tmp_path: Path) -> None:
+    (tmp_path / "score.json").write_text("{}")
+    result = run("render", tmp_path, "-o", tmp_path / "out")
+    assert result.exit_code == 2
+    assert f"its score is {tmp_path / 'score.json'}" in result.stderr

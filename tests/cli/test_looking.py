@@ -168,8 +168,29 @@ def test_without_a_command_there_is_help() -> None:
 def test_bad_usage_is_status_2(wrong: str) -> None:
     result = spawn(*wrong.split())
     assert (result.returncode, result.stdout) == (2, b"")
-    assert b"Usage" in result.stderr
-    assert b"Traceback" not in result.stderr
+    (line,) = result.stderr.decode().splitlines()
+    assert line.startswith("scorebreath: ")
+    assert "; try `scorebreath" in line
+
+
+def test_bad_usage_names_what_is_wrong() -> None:
+    result = run("render", "--colour\x1b[31m", "x")
+    assert result.exit_code == 2
+    assert result.stderr.startswith("scorebreath: no such option: --colour\\x1b[31m")
+    assert result.stderr.endswith("; try `scorebreath render --help`\n")
+
+
+def test_the_package_runs_as_a_module() -> None:
+    line = [sys.executable, "-m", "scorebreath_cli", "--version"]
+    result = subprocess.run(line, env=ENVIRONMENT, capture_output=True, timeout=60, check=True)
+    assert result.stdout.startswith(b"scorebreath ")
+
+
+def test_the_tail_s_help_says_after_what() -> None:
+    for name in ("render", "compile"):
+        assert "come back to rest" in " ".join(
+            run(name, "--help").stdout.replace("\N{BOX DRAWINGS LIGHT VERTICAL}", " ").split()
+        )
 
 
 def complete(line: str) -> list[str]:

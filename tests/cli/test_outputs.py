@@ -12,7 +12,15 @@ import pytest
 
 from scorebreath.errors import EnvironmentFailure, InputError
 from scorebreath_cli import outputs
-from scorebreath_cli.outputs import old_media, refuse_existing, staged, staged_file, uninterrupted
+from scorebreath_cli.outputs import (
+    old_media,
+    refuse_existing,
+    refuse_own_input,
+    staged,
+    staged_file,
+    uninterrupted,
+)
+from tests.cli.running import run
 
 SOUND = "speech/" + "ab" * 32 + ".wav"
 OTHER = "speech/" + "cd" * 32 + ".wav"
@@ -147,3 +155,56 @@ def test_an_interrupt_waits_for_the_move_to_end() -> None:
 def test_the_score_moves_last_and_names_are_known() -> None:
     assert outputs.SET_FILES[-1] == "score.json"
     assert len(set(outputs.SET_FILES)) == len(outputs.SET_FILES)
+
+
+def test_an_output_never_replaces_its_own_input(tmp_path: Path) -> None:
+    script = tmp_path / "s.txt"
+    script.write_text("Hello there.")
+    (tmp_path / "link.txt").symlink_to(script)
+    for place in (script, tmp_path / "link.txt", tmp_path / "." / "s.txt"):
+        result = run("compile", script, "-o", place, "--force", "--voice", "tone")
+        assert (result.exit_code, "would replace its own input" in result.stderr) == (2, True)
+    assert tree(tmp_path) == {"link.txt": b"Hello there.", "s.txt": b"Hello there."}
+
+    assert run("compile", script, "-o", tmp_path / "score.json", "--voice", "tone").exit_code == 0
+    before = tree(tmp_path)
+    result = run("curves", tmp_path / "score.json", "-o", tmp_path / "score.json", "--force")
+    assert (result.exit_code, "would replace its own input" in result.stderr) == (2, True)
+    (tmp_path / "curves.json").write_bytes(before["score.json"])
+    result = run("render", tmp_path / "curves.json", "-o", tmp_path, "--force")
+    assert (result.exit_code, "would replace its own input" in result.stderr) == (2, True)
+    assert tree(tmp_path) == {**before, "curves.json": before["score.json"]}
+
+
+def test_a_take_is_not_replaced_by_its_curves(tmp_path: Path) -> None:
+    (tmp_path / "take.jsonl").write_text("{}")
+    with pytest.raises(InputError, match="its own input"):
+        refuse_own_input(str(tmp_path), [tmp_path / "take.jsonl"])
+    refuse_own_input(str(tmp_path), [tmp_path / "curves.csv"])
+    refuse_own_input("-", [tmp_path / "take.jsonl"])
+
+
+def test_a_score_may_be_rendered_where_it_lies(tmp_path: Path) -> None:
+    (tmp_path / "s.txt").write_text("Hello there.")
+    score = tmp_path / "out" / "score.json"
+    assert run("compile", tmp_path / "s.txt", "-o", score, "--voice", "tone").exit_code == 0
+    before = tree(tmp_path / "out")
+    for force in ([], ["--force"]):
+        for name in outputs.SET_FILES[:-1]:
+            (tmp_path / "out" / name).unlink(missing_ok=True)
+        assert run("render", score, "-o", score.parent, *force).exit_code == 0
+        after = tree(tmp_path / "out")
+        assert {name: after[name] for name in before} == before
+
+
+def test_the_later_of_two_runs_into_a_new_folder_says_so(tmp_path: Path) -> None:
+    target = tmp_path / "out"
+    with pytest.raises(InputError, match=r"mix\.wav exists already.*--force"), staged(target) as part:
+        fill(part, {"mix.wav": "late", SOUND: "1"})
+        fill(target, {"mix.wav": "early"})
+    assert tree(tmp_path) == {"out/mix.wav": b"early"}
+    with staged(tmp_path / "scores") as part:
+        fill(part, {"b.json": "b", SOUND: "1"})
+        fill(tmp_path / "scores", {"a.json": "a", SOUND: "1"})
+    assert tree(tmp_path / "scores") == {"a.json": b"a", "b.json": b"b", SOUND: b"1"}
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["out", "scores"]

@@ -42,7 +42,7 @@ def compile_(
         voice=voice, model=model, preset=preset, assignments=tuple(assign or ()), seed=seed, language=language,
         poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
     )  # fmt: skip
-    with reporting(lambda: printers.make(json_lines), debug=debug) as printer:
+    with reporting(lambda: printers.make(json_lines, script), debug=debug) as printer:
         from scorebreath.errors import InputError
         from scorebreath_cli.inputs import read_source
         from scorebreath_cli.making import Compiler

@@ -43,7 +43,7 @@ def curves(
 
     Row i is at i / fps seconds from the first sample of the sound.
     """
-    with reporting(lambda: printers.make(json_lines), debug=debug) as printer:
+    with reporting(lambda: printers.make(json_lines, score or ""), debug=debug) as printer:
         from scorebreath.errors import InputError
 
         if describe:

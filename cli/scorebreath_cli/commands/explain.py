@@ -43,7 +43,7 @@ def explain(
     options = CompileOptions(
         voice=voice, model=model, preset=preset, assignments=tuple(assign or ()), language=language, poem=poem
     )
-    with reporting(lambda: printers.make(json_lines), debug=debug) as printer:
+    with reporting(lambda: printers.make(json_lines, script), debug=debug) as printer:
         from scorebreath_cli.inputs import read_source
         from scorebreath_cli.making import Compiler
 

@@ -56,7 +56,7 @@ def render(
         voice=voice, model=model, preset=preset, assignments=tuple(assign or ()), seed=seed, language=language,
         poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
     )  # fmt: skip
-    with reporting(lambda: printers.make(json_lines), debug=debug) as printer:
+    with reporting(lambda: printers.make(json_lines, inputs[0] if len(inputs) == 1 else ""), debug=debug) as printer:
         from pathlib import Path
 
         from scorebreath.errors import InputError
