@@ -21,7 +21,7 @@ class VoiceDetails:
     engine: str
     """e.g. `espeak-ng`"""
     voice: str
-    """the name it is asked for by, e.g. `espeak:en-us+f3`"""
+    """its whole name, by which it opens again whatever it was asked for by: `espeak:en-us` for `espeak`"""
     version: str
     licence: str
     """SPDX, or a sentence"""

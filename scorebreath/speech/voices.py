@@ -58,14 +58,14 @@ def open_voice(name: str, language: str) -> Voice:
 
     Args:
         name: As the table's doc says.
-        language: Of the script, BCP 47; used where the name leaves it open.
+        language: Of the script, BCP 47; used where the name leaves it open. A region there is no voice for is ignored.
 
     Returns:
         A voice; close it, or use it as a context manager. Its worker, if it has one, is starting.
 
     Raises:
-        InputError: There is no such voice; names close ones.
-        VoiceError: It is not installed, or does not speak the language.
+        InputError: There is no such voice, or it does not speak the language; names close ones.
+        VoiceError: It is not installed.
     """
     family, colon, detail = name.partition(":")
     engine = ENGINES.get(family.lower())
@@ -87,9 +87,8 @@ def _open_espeak(name: str, detail: str, language: str) -> Voice:
 
     code, _, variant = detail.partition("+")
     if not code and known().find(language) is None:
-        close = did_you_mean(language, [other for one in known().languages for other, _ in one.codes])
-        raise VoiceError(f"voice {name!r} does not speak the script's language {language!r}{close}")
-    voice = EspeakVoice(code or language, variant, name=name)
+        raise InputError(f"language {language!r}: voice {name!r} does not speak it{known().hint(language)}")
+    voice = EspeakVoice(code or language, variant)
     voice.start()
     return voice
 

@@ -14,13 +14,41 @@ from scorebreath.speech.espeak.voice import installed, known
 
 CODES = {
     "en": "en-us", "EN": "en-us", "en-GB": "en-gb", "en_US": "en-us", "de": "de", "fr": "fr-fr", "pt": "pt",
-    "zh": "cmn", "pt-br": "pt-br", "no": "nb",
+    "zh": "cmn", "pt-br": "pt-br", "no": "nb", "de-DE": "de", "de_DE": "de", "de-AT": "de", "de-Latn-AT-1996": "de",
+    "en-AU": "en-us", "en-UK": "en-gb", "en-GB-oxendict": "en-gb", "en-GB-x-ours": "en-gb", "en-GB-x-rp": "en-gb-x-rp",
+    "fr-CA": "fr-fr", "fr-CH": "fr-ch", "es-MX": "es-419", "es-ES": "es", "zh-Hant-TW": "cmn",
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("asked", CODES)
 def test_a_code_finds_its_voice(asked: str) -> None:
     assert known().choose(asked).language.code == CODES[asked]
+
+
+def test_every_language_answers_to_its_own_code() -> None:
+    for language in known().languages:
+        found = known().find(language.code)
+        assert found is not None
+        assert found.code == language.code
+
+
+MEANT = {
+    "german": "de", "German": "de", "germn": "de", "english": "en", "chinese": "cmn", "brazil": "pt-br", "irish": "ga",
+    "en-uss": "en-us", "cherokee": "chr-us-qaaa-x-west",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("asked", MEANT)
+def test_a_language_s_name_is_answered_with_its_code(asked: str) -> None:
+    assert known().find(asked) is None
+    assert known().hint(asked) == f"; did you mean {MEANT[asked]}?"
+    assert known().find(MEANT[asked]) is not None
+
+
+@pytest.mark.parametrize("asked", ["xq", "xq-DE", "spa", "swe", "deutsch", "", "-", "de-", "geschwurbel", "en-a"])
+def test_what_is_near_no_language_is_not_guessed_at(asked: str) -> None:
+    assert known().find(asked) is None
+    assert known().hint(asked) == "; expected a code as en, de or fr-FR"
 
 
 def test_languages_without_a_dictionary_are_not_offered() -> None:
@@ -36,7 +64,7 @@ def test_variants_in_any_case_and_with_spaces() -> None:
 
 
 def test_unknown_names_are_answered_with_close_ones() -> None:
-    with pytest.raises(InputError, match=r"did you mean .*en-us"):
+    with pytest.raises(InputError, match=r"did you mean en-us\?$"):
         known().choose("en-uss")
     with pytest.raises(InputError, match=r"did you mean klatt"):
         known().choose("en", "klat")

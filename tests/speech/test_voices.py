@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from scorebreath.errors import InputError, VoiceError
@@ -15,13 +16,14 @@ from tests.speech.speaking import check, request
 
 
 @pytest.mark.parametrize(
-    ("name", "language", "spoken"),
-    [("espeak", "en", ("en-US", "en")), ("espeak", "de", ("de",)), ("espeak:en-gb", "de", ("en-GB", "en")),
-     ("espeak:+f3", "de", ("de",)), ("espeak:en-us+f3", "en", ("en-US", "en")), ("tone", "de", ("mul",))],
+    ("name", "language", "whole", "spoken"),
+    [("espeak", "en", "espeak:en-us", ("en-US", "en")), ("espeak", "de-AT", "espeak:de", ("de",)),
+     ("ESPEAK:en_GB", "de", "espeak:en-gb", ("en-GB", "en")), ("espeak:+F3", "de", "espeak:de+f3", ("de",)),
+     ("espeak:en-us+f3", "en", "espeak:en-us+f3", ("en-US", "en")), ("tone", "de", "tone", ("mul",))],
 )  # fmt: skip
-def test_a_name_opens_a_voice_that_speaks(name: str, language: str, spoken: tuple[str, ...]) -> None:
+def test_a_name_opens_a_voice_that_speaks(name: str, language: str, whole: str, spoken: tuple[str, ...]) -> None:
     with open_voice(name, language) as voice:
-        assert voice.details.voice == name
+        assert voice.details.voice == whole
         assert voice.details.languages == spoken
         text = "Am Abend, in the evening."
         (speech,) = voice.speak_all([request(text)])
@@ -47,9 +49,27 @@ def test_unknown_names_say_what_there_is(name: str, language: str) -> None:
     assert str(caught.value).startswith(UNKNOWN[name, language])
 
 
-def test_a_script_in_a_language_it_does_not_speak() -> None:
-    with pytest.raises(VoiceError, match="voice 'espeak' does not speak the script's language 'tlh'"):
-        open_voice("espeak", "tlh")
+@pytest.mark.parametrize("name", ["espeak", "espeak:en-AU", "espeak:+f2", "espeak:en+Mr serious", "tone"])
+def test_the_name_on_record_opens_the_same_voice_whatever_the_language(name: str) -> None:
+    with open_voice(name, "de-DE") as first, open_voice(first.details.voice, "ja") as second:
+        assert second.details == first.details
+        text = "One, two."
+        (one,), (other,) = first.speak_all([request(text)]), second.speak_all([request(text)])
+        assert np.array_equal(one.samples, other.samples)
+
+
+NO_LANGUAGE = {
+    "tlh": "; expected a code as en, de or fr-FR",
+    "german": "; did you mean de?",
+    "": "; expected a code as en, de or fr-FR",
+}
+
+
+@pytest.mark.parametrize("language", NO_LANGUAGE)
+def test_a_language_it_does_not_speak_is_the_user_s_to_mend(language: str) -> None:
+    with pytest.raises(InputError) as caught:
+        open_voice("espeak", language)
+    assert str(caught.value) == f"language {language!r}: voice 'espeak' does not speak it{NO_LANGUAGE[language]}"
 
 
 def test_every_row_says_what_one_must_know() -> None:

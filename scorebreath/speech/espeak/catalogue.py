@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
@@ -10,8 +11,12 @@ from pathlib import Path
 from scorebreath.errors import InputError, VoiceError
 from scorebreath.speech.names import did_you_mean
 
-DEFAULTS = {"en": "en-us"}
+DEFAULTS = {"en": "en-us", "en-uk": "en-gb"}
 """Language of a script: which of the voices that call themselves so. Else the one with the best priority."""
+SUBTAG = re.compile(r"-(?:x(?:-[a-z0-9]{1,8})+|[a-z]{2}|[0-9]{3}|[a-z]{4}|[0-9][a-z0-9]{3}|[a-z0-9]{5,8})\Z", re.ASCII)
+"""The last subtag of a BCP 47 tag where a less special one may do without: private use, region, script, variant."""
+CLOSE = 0.85
+"""Likeness from which a name or code is offered for a misspelt one: `germn` for German, but not Dutch for `deutsch`."""
 PRIORITY = 5
 """of a language line that gives none; lower is better"""
 PITCH = (82, 118)
@@ -88,16 +93,15 @@ class Catalogue:
         """A voice by language code and variant.
 
         Args:
-            code: As the user or the script gives it, any case, `_` for `-` allowed.
+            code: As `find` takes it.
             variant: As the file is named, any case; may be empty.
 
         Raises:
-            InputError: There is no such language or variant; names close ones.
+            InputError: There is no such language or variant; names a close one.
         """
         language = self.find(code)
         if language is None:
-            known = [other for one in self.languages for other, _ in one.codes]
-            raise InputError(f"voice 'espeak:{code}': eSpeak NG has no language {code!r}{did_you_mean(code, known)}")
+            raise InputError(f"voice 'espeak:{code}': eSpeak NG has no language {code!r}{self.hint(code)}")
         lines = language.lines
         if variant:
             file = next((name for name in self.variants if name.lower() == variant.lower()), None)
@@ -109,8 +113,43 @@ class Catalogue:
         return Chosen(language=language, variant=variant, lines=lines)
 
     def find(self, code: str) -> Language | None:
-        """The language that answers best to a code, or None."""
-        wanted = code.lower().replace("_", "-")
+        """The language that answers best to a code, or None.
+
+        A tag more special than any here falls back, subtag by subtag (RFC 4647, 3.4): `de-AT` to `de`.
+
+        Args:
+            code: As the user or the script gives it, any case, `_` for `-` allowed.
+        """
+        wanted = _plain(code)
+        while (found := self._named(wanted)) is None:
+            shorter = SUBTAG.sub("", wanted)
+            if shorter == wanted:
+                return None
+            wanted = shorter
+        return found
+
+    def hint(self, code: str) -> str:
+        """A tail for the message about a language that is not there: the one that is meant, or what a code is.
+
+        Both codes and English names are looked at: for `german` it offers `de`.
+        """
+        from difflib import get_close_matches
+
+        wanted = _plain(code)
+        offers = {known: known for one in self.languages for known, _ in one.codes}
+        words: dict[str, str] = {}
+        for one in sorted(self.languages, key=lambda one: len(one.code)):
+            name, _, _ = one.name.lower().partition(" (")
+            primary = one.code.partition("-")[0]
+            offers.setdefault(name, primary if self._named(primary) else one.code)
+            for word in re.findall(r"\w{4,}", one.name.lower()):
+                words.setdefault(word, one.code)
+        close = get_close_matches(wanted, offers, n=1, cutoff=CLOSE)
+        offer = offers[close[0]] if close else words.get(wanted)
+        return f"; did you mean {offer}?" if offer else "; expected a code as en, de or fr-FR"
+
+    def _named(self, wanted: str) -> Language | None:
+        """The one with this very code, that has the best priority."""
         wanted = DEFAULTS.get(wanted, wanted)
         ranked = [
             (priority, language.code, language)
@@ -136,6 +175,10 @@ def catalogue(folder: str) -> Catalogue:
         raise VoiceError(f"eSpeak NG has no voices in {folder}: pip install --force-reinstall espeakng-loader")
     variants = tuple(sorted(path.name for path in (data / "voices" / "!v").glob("*") if path.is_file()))
     return Catalogue(folder=data, languages=languages, variants=variants)
+
+
+def _plain(code: str) -> str:
+    return code.lower().replace("_", "-")
 
 
 def _language(path: Path) -> Language | None:

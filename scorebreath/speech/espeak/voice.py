@@ -76,13 +76,12 @@ class EspeakVoice(Voice):
     A text in which there is nothing to say, for this voice, gives `assemble.SILENCE` seconds of pause.
     """
 
-    def __init__(self, language: str, variant: str = "", *, name: str = "", command: Sequence[str] = ()) -> None:
+    def __init__(self, language: str, variant: str = "", *, command: Sequence[str] = ()) -> None:
         """Choose it; a worker is started by `start` or the first request.
 
         Args:
-            language: Code, e.g. `en-us`; `en` is American.
+            language: Code, e.g. `en-us`; `en` is American, and `de-AT`, which there is not, `de`.
             variant: e.g. `f3`; may be empty.
-            name: What it was asked for by.
             command: Instead of its worker's.
 
         Raises:
@@ -91,7 +90,7 @@ class EspeakVoice(Voice):
         """
         self._library = installed()
         self._chosen = known().choose(language, variant)
-        self._name = name or f"espeak:{self._chosen.name}"
+        self._name = f"espeak:{self._chosen.name}"
         command = command or module_command("scorebreath.speech.espeak.worker", self._library.path, self._library.data)
         self._workers = [Worker(command, self._name) for _ in range(LANES)]
         self._worker = self._workers[0]
