@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from scorebreath.curves.curve_set import CurveSet
 from scorebreath.errors import InputError
-from scorebreath.report.rows import clock
+from scorebreath.report.rows import clock, groups_counted
 from scorebreath.report.transcript import transcript
 from scorebreath.score.document import Score
 from scorebreath.signal.resample import resample
@@ -78,7 +78,7 @@ def _title(score: Score) -> str:
 def _facts(score: Score, curve_set: CurveSet, shown: float) -> str:
     voice = next(body.voice.voice for body in score.bodies if body.id == curve_set.body)
     count = sum(group.body == curve_set.body for group in score.groups)
-    facts = f"{clock(score.duration)} · {count} breath groups · model {score.model} · voice {voice}"
+    facts = f"{clock(score.duration)} · {groups_counted(count)} · model {score.model} · voice {voice}"
     return facts + (f" · this page holds the first {clock(shown)}" if shown < score.duration else "")
 
 

@@ -128,3 +128,12 @@ def clock(seconds: float) -> str:
     """
     minutes, rest = divmod(round(seconds), 60)
     return f"{minutes}:{rest:02d}"
+
+
+def groups_counted(count: int) -> str:
+    """So many breath groups, in words.
+
+    >>> groups_counted(1), groups_counted(0)
+    ('1 breath group', '0 breath groups')
+    """
+    return f"{count} breath group{'' if count == 1 else 's'}"

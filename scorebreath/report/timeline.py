@@ -13,7 +13,7 @@ from typing import BinaryIO
 import numpy as np
 
 from scorebreath.curves.curve_set import CurveSet
-from scorebreath.report.rows import Breath, Row, breaths, clock, place, wrap
+from scorebreath.report.rows import Breath, Row, breaths, clock, groups_counted, place, wrap
 from scorebreath.report.sheet import Points, Sheet
 from scorebreath.score.document import Score
 from scorebreath.score.events import Utterance
@@ -76,7 +76,7 @@ def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
 
 def _header(sheet: Sheet, score: Score, curve_set: CurveSet, groups: Sequence[Breath], rows: Sequence[Row]) -> None:
     voice = next(body.voice.voice for body in score.bodies if body.id == curve_set.body)
-    facts = [clock(score.duration), f"{len(groups)} breath groups", f"model {score.model}", f"voice {voice}"]
+    facts = [clock(score.duration), groups_counted(len(groups)), f"model {score.model}", f"voice {voice}"]
     if rows[-1].end < score.duration:
         facts.append(f"the first {clock(rows[-1].end)} in detail")
     sheet.text(LEFT, 56, "Speech and breath", 30, INK, weight="bold")

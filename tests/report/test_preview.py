@@ -123,3 +123,8 @@ def test_what_is_no_sound_is_refused(tmp_path: Path) -> None:
     for name in ("not.wav", "missing.wav"):
         with pytest.raises(InputError, match=name):
             page(score_of([]), tmp_path / name, None)
+
+
+def test_one_breath_group_is_one() -> None:
+    assert "· 1 breath group ·" in page(build([Breath()]))
+    assert "· 2 breath groups ·" in page(build([Breath()] * 2))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html as markup
+import json
 import re
 import subprocess
 from pathlib import Path
@@ -12,6 +13,7 @@ import pytest
 from scorebreath.curves.curve_set import curves
 from scorebreath.report import preview
 from scorebreath.score.document import Score
+from scorebreath.score.events import Inspiration
 from tests.curves.scores import Breath, build
 from tests.report.test_preview import HOSTILE, page
 
@@ -69,3 +71,37 @@ def test_hostile_text_is_only_text_in_a_browser(chromium: str, tmp_path: Path, s
     assert section
     text = markup.unescape(re.sub(r"<[^>]*>", "", section[1]))
     assert text == score.text.strip()
+
+
+SCROLLED = """<script>
+const box = document.getElementById("transcript"), told = [];
+for (const t of %s) {
+  window.scorebreath.pose(t);
+  const all = [...box.querySelectorAll("[data-onset]")].filter(span => Number(span.dataset.onset) <= t + 1e-9);
+  const last = all.length ? all[all.length - 1].getBoundingClientRect() : box.getBoundingClientRect();
+  const frame = box.getBoundingClientRect();
+  told.push([all.length, box.scrollTop, last.top >= frame.top && last.bottom <= frame.bottom || !all.length,
+    box.querySelectorAll(".now").length]);
+}
+document.body.dataset.told = JSON.stringify(told);
+</script>"""
+
+
+def test_the_transcript_follows_also_where_nothing_is_said(chromium: str, tmp_path: Path) -> None:
+    """Opened or sought to a time between a word and the next, it shows the last word said."""
+    score = build([Breath(before=0.3)] * 60, tail=3.0)
+    between = [
+        score.duration - 1.0,
+        0.05,
+        *(event.onset - 0.1 for event in list(score.of(Inspiration, "body"))[20:60:13]),
+    ]
+    file = tmp_path / "preview.html"
+    file.write_text(page(score) + SCROLLED % between, encoding="utf-8")
+    found = re.search(r'data-told="([^"]*)"', dump(chromium, tmp_path, file, 0.0))
+    assert found
+    told = json.loads(markup.unescape(found[1]))
+    assert len(told) == len(between)
+    for count, scrolled, seen, marked in told:
+        assert not marked, "a time within a word would show nothing new"
+        assert seen
+        assert (scrolled > 100) == (count > 0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import warnings
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from PIL import Image, ImageColor
 from scorebreath.curves.curve_set import curves
 from scorebreath.report import timeline
 from scorebreath.report.rows import breaths, wrap
+from scorebreath.report.sheet import Sheet
 from scorebreath.score.document import Score
 from tests.curves.scores import Breath, build, score_of
 
@@ -110,3 +112,17 @@ def test_any_text_is_only_text() -> None:
 def test_equal_scores_give_equal_bytes() -> None:
     score = build([Breath()] * 3)
     assert draw(score) == draw(score)
+
+
+@pytest.mark.parametrize(("count", "said"), [(1, "1 breath group"), (2, "2 breath groups")])
+def test_one_breath_group_is_one(count: int, said: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    texts: list[str] = []
+    draw_text = Sheet.text
+
+    def listen(self: Sheet, x: float, y: float, text: str, *rest: Any, **more: Any) -> None:
+        texts.append(text)
+        draw_text(self, x, y, text, *rest, **more)
+
+    monkeypatch.setattr(Sheet, "text", listen)
+    draw(build([Breath()] * count))
+    assert any(said in text.split("   ·   ") for text in texts)

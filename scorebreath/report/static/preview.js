@@ -42,7 +42,7 @@ audio.preload = "auto";
 audio.src = URL.createObjectURL(new Blob([bytes(at("sound").textContent.trim())], {type: "audio/flac"}));
 at("sound").remove();
 
-const state = {time: 0, playing: false, since: 0, gain: still ? 1 : 2, word: -1, breath: -1};
+const state = {time: 0, playing: false, since: 0, gain: still ? 1 : 2, word: -1, breath: -1, last: null};
 function now() {
   if (!state.playing) return state.time;
   return silent ? (performance.now() - state.since) / 1000 : audio.currentTime;
@@ -115,10 +115,16 @@ function mark(list, key, t) {
   if (index === state[key]) return;
   if (state[key] >= 0) list[state[key]].span.classList.remove("now");
   state[key] = index;
-  if (index < 0) return;
-  const span = list[index].span, box = at("transcript");
-  span.classList.add("now");
-  const top = span.offsetTop - box.offsetTop;
+  if (index >= 0) list[index].span.classList.add("now");
+}
+// The transcript shows the last word or breath begun, also where nothing is said; before the first, its beginning.
+function follow(t) {
+  const begun = [words, breaths].map(list => list[lastBefore(list, t)]).filter(Boolean);
+  const last = begun.length ? begun.reduce((a, b) => a.onset > b.onset ? a : b) : null;
+  if (last === state.last) return;
+  state.last = last;
+  const box = at("transcript"), edge = element => element.getBoundingClientRect().top;
+  const top = last ? edge(last.span) - edge(box) + box.scrollTop : 0;
   if (top < box.scrollTop + 40 || top > box.scrollTop + box.clientHeight - 80)
     box.scrollTo({top: top - box.clientHeight / 3, behavior: still || !state.playing ? "auto" : "smooth"});
 }
@@ -202,6 +208,7 @@ function pose(t) {
   const values = poseAt(t);
   mark(words, "word", t);
   mark(breaths, "breath", t);
+  follow(t);
   strip(t);
   overview(t);
   figure(values, state.gain, still); // writes come after all reads of the layout
