@@ -32,6 +32,31 @@ def test_wrapped_prose_is_prose_at_any_width(width: int) -> None:
     assert not is_verse(wrapped)
 
 
+BALLAD = """The sun was shining on the sea,
+Shining with all his might:
+He did his very best to make
+The billows smooth and bright--
+And this was odd, because it was
+The middle of the night."""
+
+
+def test_capitals_tell_a_ballad_whose_lines_are_full() -> None:
+    assert is_verse(BALLAD)
+    assert not is_verse(BALLAD.lower())
+    assert not is_verse(BALLAD.upper())
+
+
+@given(st.integers(12, 120))
+def test_wrapped_german_is_prose(width: int) -> None:
+    """Its nouns have capitals."""
+    text = (
+        "Der Zug fuhr am Morgen durch das Tal, und die Reisenden sahen hinaus auf Wiesen, Bäche und kleine Dörfer, in "
+        "denen noch kein Licht brannte. Ein alter Mann schlief; seine Tochter las einen Brief der Mutter, faltete ihn "
+        "und legte das Papier wieder in die Tasche aus Leder, die neben dem Koffer auf dem Sitz am Fenster stand."
+    )
+    assert not is_verse(textwrap.fill(text, width, break_long_words=False))
+
+
 def test_too_short_to_tell() -> None:
     assert not is_verse("a rose\nis a rose\nis a rose")
     assert is_verse("a rose\nis a rose\nis a rose that\nis one")
