@@ -11,6 +11,7 @@
 | `(` `)` `"` `'` | brackets, quotation marks, apostrophe or single quotation mark |
 | `_` `/` | pause marker, slash |
 | `S` | symbols that are read: & @ % # + = § ° and currencies |
+| `c` `p` | symbols that are read in a few places only: < and > between spaces, ~ and ^ before a digit |
 | `x` | everything else, emoji too: kept as written, not spoken |
 
 `a`, `d` and `k` together are exactly the code points with `str.isalnum()`.
@@ -43,6 +44,8 @@ _CHARACTERS = {
     "_": "_",
     "/": "/",
     "S": "&@%‰#+=§°±×÷≈≤≥≠√∞′″",
+    "c": "<>",
+    "p": "~^",
     "m": "\u00b7\u05f3\u05f4",
 }
 _FIXED = {ord(character): kind for kind, characters in _CHARACTERS.items() for character in characters}

@@ -16,10 +16,12 @@ LONGEST = 64
 
 _CORE = re.compile(
     r"""
-    (?: (?<![-Nad_])[-N](?=S{0,4}d) )? S{0,4}           # minus, currency, #
-    [ad] (?: [adm] | S | ['./&@_N-](?=S?[ad]) | (?<=d)[,:](?=d) )*
+    (?: (?<![-Nad_])[-N](?=S{0,4}\.?d) )? (?: (?<![^ n("]) p(?=\.?d) )? S{0,4}   # minus, about, currency, #
+    (?: (?<![^ n("NSp-]) \.(?=d) )?                 # .5
+    [ad] (?: [adm] | S | ['./&@_N-](?=S?[ad]) | (?<=d)[,:p](?=d) )*
     | km*
     | (?<![^ n(\"]) S (?![^ n.,;:!?)\"])                # a symbol by itself
+    | (?<=[^ n][ ]) c (?=[ ][^ n])              # a < b
     """,
     re.VERBOSE,
 )

@@ -54,6 +54,16 @@ Louis XIV, Henry VIII's = Louis the fourteenth, Henry the eighth's
 rock & roll § 5 = rock and roll section five
 @alice x² C++ and/or = at alice x squared C plus plus and or
 me@b.com https://a.org/b-c = me at b dot com a dot org slash b dash c
+.5 inches or -.5 = zero point five inches or minus zero point five
+so $5m or -$2bn or 5¢ = so five million dollars or minus two billion dollars or five cents
+12 St. James St. is = twelve Saint James Street is
+12/25/2024 or 25/12/2024 = December twenty-fifth twenty twenty-four or December twenty-fifth twenty twenty-four
+03/04/2024 or 1/100 or 2/100 = three four twenty twenty-four or one hundredth or two hundredths
+5 > 3 & a < b 10^3 ~10 = five is greater than three and a is less than b ten to the power of three about ten
+6 ft 2 in., so = six feet two inches, so
+at 020 7946 0958 = at zero two zero seven nine four six zero nine five eight
+at +44 20 7946 0958 = at plus four four two zero seven nine four six zero nine five eight
+50 000 at US$30 in room 5 100 = fifty thousand at thirty U.S dollars in room five one hundred
 """
 GERMAN = """
 1.000.000 Leute = eine Million Leute
@@ -77,6 +87,10 @@ ca. 5 in der Hauptstr. 5 = circa fünf in der Hauptstraße fünf
 die EU, USA und CDU, NATO = die E.U, U.S.A und C.D.U, NATO
 Ludwig XIV. war im II. Weltkrieg = Ludwig der vierzehnte war im zweiten Weltkrieg
 § 5 und R&B = Paragraf fünf und R und B
+am 1.5. und 030 1234567 = am ersten Mai und null drei null eins zwei drei vier fünf sechs sieben
+die 1990ern und 1½ und $5m = die neunzehnhundertneunzigern und eineinhalb und fünf Millionen Dollar
+Friedrich d. Gr. und EDV und UN = Friedrich der Große und E.D.V und U.N
+5 > 3 und 10^3 = fünf größer als drei und zehn hoch drei
 Straße „Ja“ = Straße Ja
 """
 
@@ -223,7 +237,8 @@ def test_tables_are_whole(language: str) -> None:
         assert said(words(f"so 1 {unit} or 7 {unit} so", language)).count(one) >= 1
         assert many in said(words(f"so 7 {unit} so", language)), unit
     for symbol in table.symbol:
-        assert table.symbol[symbol] in said(words(f"so a{symbol}b", language))
+        shown = f"so a{symbol}b" if symbol not in "<>~^" else f"so a {symbol} b 1{symbol}2"
+        assert table.symbol[symbol] in said(words(shown, language))
     for capitals in table.spelled:
         assert said(words(f"so the {capitals} is here", language)).split()[2] == ".".join(capitals)
 

@@ -10,13 +10,22 @@ from collections.abc import Callable
 from functools import lru_cache
 
 from scorebreath.script.normalise.context import Context, Said
-from scorebreath.script.normalise.dates import date, decade, dotted_date, in_context, stopwatch, suffixed, time_of_day
+from scorebreath.script.normalise.dates import (
+    date,
+    decade,
+    dotted_date,
+    in_context,
+    slashed_date,
+    stopwatch,
+    suffixed,
+    time_of_day,
+)
 from scorebreath.script.normalise.figures import amount, counting, mixture, plain, unit_of
-from scorebreath.script.normalise.money import money, money_behind
-from scorebreath.script.normalise.numbers import cardinal, ordinal, whole, year
+from scorebreath.script.normalise.money import foreign_money, money, money_behind
+from scorebreath.script.normalise.numbers import cardinal, digits, ordinal, whole, year
 from scorebreath.script.normalise.tables import tables as tables_of
 
-_DENOMINATORS = (3, 4, 5, 6, 7, 8, 9, 10, 12, 16)
+_DENOMINATORS = (3, 4, 5, 6, 7, 8, 9, 10, 12, 16, 100, 1000)
 
 Rule = Callable[[re.Match[str], Context], Said | None]
 
@@ -35,13 +44,15 @@ def _rules(language: str) -> tuple[tuple[re.Pattern[str], Rule], ...]:
     """Patterns of a language, and what reads them."""
     tables = tables_of(language)
     decimal, thousands = re.escape(tables.settings["decimal"]), re.escape(tables.settings["thousands"])
-    number = rf"(?:\d{{1,3}}(?:{thousands}\d{{3}})+(?!\d)|\d+)(?:{decimal}\d+)?"
+    number = rf"(?:\d{{1,3}}(?:{thousands}\d{{3}})+(?!\d)|\d+)(?:{decimal}\d+)?|{decimal}\d+"
+    number = f"(?:{number})"
     symbols = "[" + re.escape("".join(tables.currency)) + "]"
     fraction = "|".join(re.escape(key) for key in tables.fraction)
     return tuple(
         (re.compile(pattern), rule)
         for pattern, rule in (
             (r"(?P<year>\d{4})-(?P<month>\d\d)-(?P<day>\d\d)", date),
+            (r"(?P<left>\d{1,2})/(?P<right>\d{1,2})/(?P<year>\d{4})", slashed_date),
             (r"(?P<day>\d{1,2})\.(?P<month>\d{1,2})(?:\.(?P<year>\d{4}|\d\d))?", dotted_date),
             (r"(?P<hour>\d{1,2})[:.](?P<minute>\d\d)(?P<suffix>[ap]\.?m)?", time_of_day),
             (r"(?P<hour>\d{1,2}):(?P<minute>\d\d):(?P<second>\d\d)", stopwatch),
@@ -49,18 +60,20 @@ def _rules(language: str) -> tuple[tuple[re.Pattern[str], Rule], ...]:
             (rf"(?P<whole>\d*)(?P<fraction>{fraction})", _fraction),
             (rf"(?P<minus>-?)(?P<money>{symbols})(?P<number>{number})(?P<unit>\D*)", money),
             (rf"(?P<number>{number})(?P<money>{symbols})", money),
+            (rf"(?P<land>[A-Z]{{1,3}})(?P<money>\$)(?P<number>{number})", foreign_money),
+            (r"\+\d{1,3}|0\d{1,5}", _telephone),
             (rf"(?P<number>{number})", money_behind),
             (r"#(?P<number>\d+)", _numbered),
             (r"(?P<number>\d{1,3}(?:,\d{3})*)(?:st|nd|rd|th)", suffixed),
-            (r"'?(?P<number>\d{2}|\d{4})'?(?:s|er)", decade),
+            (r"'?(?P<number>\d{2}|\d{4})'?(?P<ending>s|ern?)", decade),
             (rf"(?P<left>{number})(?P<sign>\D?)-(?P<right>\S+)", _range),
-            (r"(?P<sign>[+§±≈≤≥√@=-]+)(?P<rest>\d\S*)", _signed),
+            (r"(?P<sign>[+§±≈≤≥√@=~-]+)(?P<rest>\.?\d\S*)", _signed),
             (r"(?P<number>\d{1,3})", _spaced_thousands),
             (r"(?P<number>\d+)", in_context),
             (rf"(?P<number>{number})", _number),
             (rf"(?P<number>{number})(?P<unit>\D\S*)", _measure),
             (r"(?P<left>\d+)[x×](?P<right>\d+)", _product),
-            (r"(?P<left>\d{1,2})/(?P<right>\d{1,2})", _broken),
+            (r"(?P<left>\d{1,2})/(?P<right>\d{1,4})", _broken),
         )
     )
 
@@ -82,6 +95,7 @@ def _fraction(match: re.Match[str], context: Context) -> Said | None:
         return None
     before = whole(match["whole"], tables.language)
     if tables.language == "de":
+        before = "ein" if before == "eins" else before
         return context.one(before + behind if behind == "einhalb" else f"{before} {behind}")
     return context.one(f"{before} and {behind}")
 
@@ -91,7 +105,7 @@ def _broken(match: re.Match[str], context: Context) -> Said | None:
     left, right, language = int(match["left"]), int(match["right"]), context.tables.language
     if not (left < right and right in _DENOMINATORS):
         return None
-    part = ordinal(right, language)
+    part = ordinal(right, language).removeprefix("one ")
     share = part.capitalize() + "l" if language == "de" else part if left == 1 else part + "s"
     return context.one(f"{_counting(left, language)} {share}")
 
@@ -142,14 +156,29 @@ def _signed(match: re.Match[str], context: Context) -> Said | None:
 
 
 def _spaced_thousands(match: re.Match[str], context: Context) -> Said | None:
-    """10 000, as German writes it."""
-    if context.tables.language != "de" or match["number"][0] == "0":
+    """10 000, as German writes it, and English if the thousands are round."""
+    language = context.tables.language
+    if match["number"][0] == "0":
         return None
     figures, count = match["number"], 1
     while (more := context.follower(count)) and re.fullmatch(r"\d{3}", more.text) and count < 5:
         figures += more.text
         count += 1
-    return context.one(whole(figures, "de"), count=count) if count > 1 else None
+    if count == 1 or (language == "en" and not figures.endswith("000")):
+        return None
+    return context.one(whole(figures, language), count=count)
+
+
+def _telephone(match: re.Match[str], context: Context) -> Said | None:
+    """+49 30 1234567 and 020 7946 0958, figure by figure; one of fewer than eight figures is something else."""
+    tables, figures, count = context.tables, [match[0].removeprefix("+")], 1
+    while (more := context.follower(count)) and re.fullmatch(r"\d{2,8}", plain(more.text)) and count < 6:
+        figures.append(plain(more.text))
+        count += 1
+    if count == 1 or sum(map(len, figures)) < 8:
+        return None
+    sign = [tables.settings["plus"]] if match[0][0] == "+" else []
+    return context.one(" ".join((*sign, *(digits(group, tables.language) for group in figures))), count=count)
 
 
 def _number(match: re.Match[str], context: Context) -> Said | None:

@@ -37,6 +37,20 @@ def dotted_date(match: re.Match[str], context: Context) -> Said | None:
     return date(match, context)
 
 
+def slashed_date(match: re.Match[str], context: Context) -> Said | None:
+    """12/25/2024 and 25/12/2024; where day and month cannot be told apart, English says the two numbers."""
+    tables = context.tables
+    left, right, stated = int(match["left"]), int(match["right"]), year(int(match["year"]), tables.language)
+    day, month = (left, right) if tables.language == "de" or left > 12 else (right, left)
+    if not (1 <= day <= 31 and 1 <= month <= 12):
+        return None
+    if tables.language == "de":
+        return context.one(f"{_day(day, context)} {tables.lists['months'][month - 1]} {stated}")
+    if day <= 12 and day != month:
+        return context.one(f"{cardinal(left, 'en')} {cardinal(right, 'en')} {stated}")
+    return context.one(f"{tables.lists['months'][month - 1]} {ordinal(day, 'en')} {stated}")
+
+
 def time_of_day(match: re.Match[str], context: Context) -> Said | None:
     """7:30, 7:30pm, 19.30 Uhr."""
     tables = context.tables
@@ -72,13 +86,14 @@ def suffixed(match: re.Match[str], context: Context) -> Said | None:
 
 
 def decade(match: re.Match[str], context: Context) -> Said | None:
-    """1990s, 90s, '90s, 90er."""
+    """1990s, 90s, '90s, 90er, 1990ern."""
     number, language = int(match["number"]), context.tables.language
-    german = match[0].endswith("er")
+    ending = match["ending"]
+    german = ending != "s"
     if german != (language == "de") or (number % 10 and not german) or (len(match["number"]) == 4 and number < 1100):
         return None
     said = year(number, language) if number >= 100 else cardinal(number, language)
-    return context.one(said + "er" if german else said[:-1] + "ies" if said.endswith("y") else said + "s")
+    return context.one(said + ending if german else said[:-1] + "ies" if said.endswith("y") else said + "s")
 
 
 def in_context(match: re.Match[str], context: Context) -> Said | None:

@@ -35,7 +35,7 @@ def amount(figures: str, tables: Tables) -> str:
     """A number with thousands and decimals, as the language writes them."""
     settings, language = tables.settings, tables.language
     before, _, after = figures.replace(settings["thousands"], "").partition(settings["decimal"])
-    said = whole(before, language)
+    said = whole(before or "0", language)
     return f"{said} {settings['decimal_word']} {digits(after, language)}" if after else said
 
 

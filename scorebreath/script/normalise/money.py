@@ -19,7 +19,7 @@ def money(match: re.Match[str], context: Context) -> Said | None:
     figures, unit = match["number"], parts.get("unit") or ""
     if unit.startswith("/") and (share := unit_of(unit[1:], tables)):
         return context.one(f"{sign}{spoken_money(figures, match['money'], tables)} {tables.settings['per']} {share[0]}")
-    scale = tables.unit[unit][1] if unit in tables.unit else ""
+    scale = tables.settings.get(f"money_{unit.lower()}", "")
     if unit and not scale:
         return None
     following = context.follower()
@@ -29,6 +29,12 @@ def money(match: re.Match[str], context: Context) -> Said | None:
     if scale:
         return context.one(f"{sign}{amount(figures, tables)} {scale} {many}")
     return context.one(sign + spoken_money(figures, match["money"], tables))
+
+
+def foreign_money(match: re.Match[str], context: Context) -> Said | None:
+    """US$30, A$5."""
+    many = context.tables.currency[match["money"]][1]
+    return context.one(f"{amount(match['number'], context.tables)} {'.'.join(match['land'])} {many}")
 
 
 def spoken_money(figures: str, symbol: str, tables: Tables) -> str:

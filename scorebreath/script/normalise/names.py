@@ -30,6 +30,8 @@ def _unit(context: Context) -> Said | None:
     """The km of "5 km"."""
     tables, index = context.tables, context.index
     unit = unit_of(context.word.text, tables)
+    if unit is None and context.word.stopped:
+        unit = tables.unit.get(f"{context.word.text}.")
     if unit is None:
         return None
     if not index or not context.words[index - 1].spaced:
@@ -110,7 +112,7 @@ def _saint(context: Context) -> Said | None:
         return None
     following = context.follower()
     before = context.words[context.index - 1].text if context.index else ""
-    street = before[:1].isupper() or before[:1].isdecimal()
+    street = before[:1].isupper() or (before[:1].isdecimal() and not before.isdecimal())
     named = following is not None and following.text[0].isupper() and (not street or context.index == 1)
     return context.one(tables.saint["before_name" if named else "otherwise"], stop=True)
 
