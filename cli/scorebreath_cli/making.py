@@ -42,8 +42,8 @@ class Compiler:
         """The voice; a first call starts its process, which gets ready by itself.
 
         Raises:
-            InputError: There is none of that name.
-            VoiceError: It is not installed, or does not speak the language.
+            InputError: There is none of that name, or it does not speak the language.
+            VoiceError: It is not installed.
         """
         if self._voice is None:
             from scorebreath.speech.voices import open_voice
