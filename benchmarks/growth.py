@@ -8,6 +8,7 @@ worker does beside them counts as `speak` only while it is waited for.
 
 from __future__ import annotations
 
+import gc
 import json
 import sys
 import time
@@ -74,7 +75,9 @@ def measure(text: Path, folder: Path) -> dict[str, Any]:
     from scorebreath.report.timeline import write_timeline
     from scorebreath.score.files import load, save
     from scorebreath.speech.voices import open_voice
+    from scorebreath_cli.main import COLLECTIONS
 
+    gc.set_threshold(*COLLECTIONS)  # as the command line does
     clock = Clock()
     pipeline.read = clock.timed("read", pipeline.read)
     pipeline.plan_script = clock.stepped("plan", pipeline.plan_script)

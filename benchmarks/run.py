@@ -23,7 +23,7 @@ from benchmarks.texts import text_of
 SENTENCE = "The rain came in from the west, and stayed until the evening.\n"
 LENGTHS = (1, 10, 100)
 """Minutes."""
-COUNTS = 0.02
+COUNTS = 0.05
 """A stage that takes a smaller share of a minute's cost is shown but not judged: its noise is as large as itself."""
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-import tempfile
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -126,6 +125,8 @@ def _tell(printer: Printer, failure: Failure) -> None:
 
 def _bug(error: BaseException) -> str:
     """One line that asks for a report, and where the traceback is."""
+    import tempfile
+
     frames = traceback.extract_tb(error.__traceback__)
     place = f" ({Path(frames[-1].filename).name}:{frames[-1].lineno})" if frames else ""
     what = " ".join(str(error).split())[:200]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import sys
@@ -11,6 +12,10 @@ from typing import NoReturn
 LAST_STANDARD = 2
 """Descriptors up to this one are children's as well."""
 
+COLLECTIONS = (100_000, 20, 100)
+"""Thresholds of the garbage collector: a Score of an hour is a million objects and none of them garbage, so looking
+through them all again and again only takes time that grows faster than they do."""
+
 
 def main() -> NoReturn:
     """Run the command line.
@@ -18,6 +23,7 @@ def main() -> NoReturn:
     Raises:
         SystemExit: Always; 0 done, 1 our bug, 2 bad usage or input, 3 environment, 130 interrupted.
     """
+    gc.set_threshold(*COLLECTIONS)
     try:
         for name in ("SIGTERM", "SIGHUP"):
             if hasattr(signal, name):
