@@ -14,10 +14,11 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
 ENVIRONMENT = {
-    **os.environ,
+    **{name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"},
     "PYTHONPATH": os.pathsep.join(str(ROOT / part) for part in (".", "cli", "synthdefs")),
     "COLUMNS": "100",
 }
+"""As users have it: with modules compiled once, not at every start."""
 PROGRAM = (sys.executable, "-c", "from scorebreath_cli.main import main; main()")
 
 

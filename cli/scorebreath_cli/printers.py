@@ -234,8 +234,8 @@ def plain_table(rows: Sequence[Row], columns: Sequence[str]) -> list[str]:
 def printable(text: str) -> str:
     r"""A text that a terminal shows and does not obey: other controls than line ends and tabs become their codes.
 
-    >>> printable("caf\u00e9\x1b[31m\n\u202e")
-    'caf\u00e9\\x1b[31m\n\\u202e'
+    >>> printable("bell" + chr(7) + chr(27) + "[31m")
+    'bell\\x07\\x1b[31m'
     """
     return text.translate(_IN_TEXT)
 
