@@ -24,6 +24,7 @@ def main() -> NoReturn:
         SystemExit: Always; 0 done, 1 our bug, 2 bad usage or input, 3 environment, 130 interrupted.
     """
     gc.set_threshold(*COLLECTIONS)
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # nothing here multiplies matrices; a pool takes 0.1 s to start
     try:
         for name in ("SIGTERM", "SIGHUP"):
             if hasattr(signal, name):
