@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from threading import Event, Thread
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from scorebreath_cli.inputs import Source, load_score, read_source
 from scorebreath_cli.making import Compiler
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from scorebreath.media.store import MediaStore
+    from scorebreath.report.preview import Preview
     from scorebreath.score.document import Score
 
 
@@ -108,7 +109,9 @@ class Renderer:
             if imports.ident is not None:
                 imports.join()
 
-    def _sound_of(self, score: Score, media: MediaStore, stream: BinaryIO) -> None:
+    def _sound_of(
+        self, score: Score, media: MediaStore, stream: BinaryIO, hear: Callable[[Any], None] | None = None
+    ) -> None:
         from scorebreath.engine.offline import render
 
         render(
@@ -118,28 +121,31 @@ class Renderer:
             engine=self._sound.engine,
             sample_rate=self._sound.rate,
             on_progress=self._printer.progress,
+            on_samples=hear,
         )
 
     def _write_set(self, score: Score, media: MediaStore, part: Path, fps: Fraction) -> None:
         """Every file of the set: what needs no sound is made while the engine works in its own process."""
-        from scorebreath.report.preview import write_preview
+        from scorebreath.report.compact import CompactSound
+        from scorebreath.report.preview import seconds_shown
         from scorebreath.score.files import with_media_paths
 
         silent = _Writers(with_media_paths(score), media, part, fps)
         with ThreadPoolExecutor(1, thread_name_prefix="writer") as pool:
             try:
-                others = pool.submit(silent.write)
+                page, others = pool.submit(silent.page), pool.submit(silent.write)
+                compact = CompactSound(self._sound.rate, seconds_shown(score))
                 with (part / "mix.wav").open("wb") as stream:
-                    self._sound_of(score, media, stream)
+                    self._sound_of(score, media, stream, compact.add)
                 with (part / "preview.html").open("wb") as stream:
-                    write_preview(stream, silent.score, silent.curve_set, part / "mix.wav")
+                    page.result().write(stream, compact)
                 others.result()
             finally:
                 silent.stop()
 
 
 class _Writers:
-    """What can be written without the sound, the slowest first."""
+    """What can be written without the sound."""
 
     def __init__(self, score: Score, media: MediaStore, part: Path, fps: Fraction) -> None:
         from scorebreath.curves.curve_set import curves
@@ -152,8 +158,14 @@ class _Writers:
         """Write no further file."""
         self._stopped.set()
 
+    def page(self) -> Preview:
+        """The preview, but for its sound."""
+        from scorebreath.report.preview import Preview
+
+        return Preview(self.score, self.curve_set)
+
     def write(self) -> None:
-        """One after the other."""
+        """One after the other, the slowest first."""
         writers: dict[str, Callable[[Path], None]] = {
             "timeline.png": self._timeline,
             "score.json": self._score,

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections import deque
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from threading import Event, Lock
 from typing import BinaryIO
 
 import numpy as np
@@ -61,6 +65,7 @@ def render(
     encoding: Encoding = "pcm24",
     timeout: float | None = None,
     on_progress: Progress | None = None,
+    on_samples: Callable[[NDArray[np.float32]], None] | None = None,
 ) -> Rendered:
     """Render a Score into a mono WAV file of exactly round(duration * sample_rate) frames.
 
@@ -75,6 +80,7 @@ def render(
         encoding: Of the file.
         timeout: Seconds the engine may take for five minutes or so; None: a minute and half the length of the sound.
         on_progress: Told how far it is.
+        on_samples: Given every block (n,) as it goes into the file.
 
     Raises:
         EngineError: The engine is missing or failed; carries its own words.
@@ -92,6 +98,7 @@ def render(
         encoding=encoding,
         timeout=timeout,
         on_progress=on_progress,
+        on_samples=on_samples,
     )
 
 
@@ -106,6 +113,7 @@ def render_sounds(
     encoding: Encoding = "pcm24",
     timeout: float | None = None,
     on_progress: Progress | None = None,
+    on_samples: Callable[[NDArray[np.float32]], None] | None = None,
 ) -> Rendered:
     """Render some of a Score's sounds (a stem, one breath); otherwise as `render`.
 
@@ -119,16 +127,20 @@ def render_sounds(
         encoding: Of the file.
         timeout: Seconds the engine may take.
         on_progress: Told how far it is.
+        on_samples: Given every block (n,) as it goes into the file.
     """
     chosen = engine_named(engine) if isinstance(engine, str) else engine
     version = chosen.version()
     frames = frame_count(duration, check_sample_rate(sample_rate))
     heard = [sound for sound in sounds if sound.duration > 0 and frame_count(sound.time, sample_rate) < frames]
-    job = _Job(media=media, engine=chosen, sample_rate=sample_rate, timeout=timeout, frames=frames, tell=on_progress)
+    job = _Job(media=media, engine=chosen, sample_rate=sample_rate, timeout=timeout, told=_Told(on_progress, frames))
     limiter = PeakLimiter()
-    pieces = segments(heard, frames=frames, sample_rate=sample_rate)
-    blocks = itertools.chain.from_iterable(map(job.blocks, pieces))
-    write_wave(stream, limiter.limit(blocks), frames=frames, sample_rate=sample_rate, encoding=encoding)
+    pieces = list(segments(heard, frames=frames, sample_rate=sample_rate))
+    with closing(job.blocks(pieces)) as made:  # whatever goes wrong, no engine works on
+        blocks = limiter.limit(made)
+        if on_samples is not None:
+            blocks = _heard_by(on_samples, blocks)
+        write_wave(stream, blocks, frames=frames, sample_rate=sample_rate, encoding=encoding)
     return Rendered(
         frames=frames,
         sample_rate=sample_rate,
@@ -147,50 +159,98 @@ class _Job:
     engine: Engine
     sample_rate: int
     timeout: float | None
-    frames: int
-    tell: Progress | None
+    told: _Told
 
-    def blocks(self, segment: Segment) -> Iterator[NDArray[np.float32]]:
-        """The samples of one piece, (n,) float32 each."""
-        if not segment.sounds:
-            for start in range(0, segment.frames, _BLOCK):
-                block = np.zeros(min(_BLOCK, segment.frames - start), dtype=np.float32)
-                yield block
-                self._progress(segment, _WRITING, (start + len(block)) / segment.frames)
+    def blocks(self, pieces: Sequence[Segment]) -> Generator[NDArray[np.float32], None, None]:
+        """The samples of all pieces, (n,) float32 each; the engine makes the next piece while one is taken."""
+        if not any(piece.sounds for piece in pieces):
+            yield from itertools.chain.from_iterable(map(self._silence, pieces))
             return
-        with temporary_folder(self._bytes(segment)) as folder:
-            made = self._engine_makes(segment, folder)
-            with made.open("rb") as stream:
-                for start in range(0, segment.frames, _BLOCK):
-                    block = np.fromfile(stream, dtype=np.float32, count=min(_BLOCK, segment.frames - start))
-                    if not np.isfinite(np.abs(block).max(initial=0.0)):
-                        raise EngineError(f"the {self.engine.name} engine made samples that are not finite")
-                    yield block
-                    self._progress(segment, _WRITING, (start + len(block)) / segment.frames)
+        stopped = Event()
+        with (
+            temporary_folder(self._bytes(pieces)) as folder,
+            ThreadPoolExecutor(1, thread_name_prefix="engine") as pool,
+        ):
+            try:
+                coming = deque(pool.submit(self._make, piece, folder, stopped) for piece in pieces[:1])
+                for number, piece in enumerate(pieces, 1):
+                    made = coming.popleft().result()
+                    coming.extend(
+                        pool.submit(self._make, following, folder, stopped) for following in pieces[number : number + 1]
+                    )
+                    yield from self._samples(piece, made) if piece.sounds else self._silence(piece)
+            finally:
+                stopped.set()
 
-    def _engine_makes(self, segment: Segment, folder: Path) -> Path:
+    def _make(self, segment: Segment, folder: Path, stopped: Event) -> Path:
+        """Have the engine make one piece, in a folder of its own; its samples are all that is left there."""
+        place = folder / f"{segment.start}"
+        if not segment.sounds:
+            return place
+        place.mkdir()
         staged = stage(
-            _lengths(segment), self.media, folder,
-            sample_rate=self.sample_rate, on_progress=partial(self._progress, segment, _STAGING),
+            _lengths(segment), self.media, place,
+            sample_rate=self.sample_rate, on_progress=partial(self.told, segment, _STAGING),
         )  # fmt: skip
-        with (folder / COMMANDS).open("wb") as stream:
+        with (place / COMMANDS).open("wb") as stream:
             write_commands(stream, commands(segment, staged.__getitem__, sample_rate=self.sample_rate))
-        return run(
-            self.engine, folder,
+        made = run(
+            self.engine, place,
             frames=segment.frames, sample_rate=self.sample_rate, timeout=self.timeout,
             needs=Needs(buffers=len(segment.sounds) + 1, nodes=segment.overlap),
-            on_progress=partial(self._progress, segment, _ENGINE),
+            on_progress=partial(self.told, segment, _ENGINE), stopped=stopped,
         )  # fmt: skip
+        for name in staged.values():
+            (place / name).unlink()
+        return made
 
-    def _bytes(self, segment: Segment) -> int:
-        seconds = sum(_lengths(segment).values())
-        return int(1.05 * _FRAME * (segment.frames + self.sample_rate * seconds))
+    def _samples(self, segment: Segment, made: Path) -> Iterator[NDArray[np.float32]]:
+        """What the engine made of a piece; gone from the disk when it is taken."""
+        with made.open("rb") as stream:
+            for start in range(0, segment.frames, _BLOCK):
+                block = np.fromfile(stream, dtype=np.float32, count=min(_BLOCK, segment.frames - start))
+                if not np.isfinite(np.abs(block).max(initial=0.0)):
+                    raise EngineError(f"the {self.engine.name} engine made samples that are not finite")
+                yield block
+                self.told(segment, _WRITING, (start + len(block)) / segment.frames)
+        made.unlink()
 
-    def _progress(self, segment: Segment, part: tuple[float, float], share: float) -> None:
-        if self.tell is not None:
-            before, after = part
-            within = before + (after - before) * share
-            self.tell("sound", (segment.start + within * segment.frames) / self.frames)
+    def _silence(self, segment: Segment) -> Iterator[NDArray[np.float32]]:
+        for start in range(0, segment.frames, _BLOCK):
+            block = np.zeros(min(_BLOCK, segment.frames - start), dtype=np.float32)
+            yield block
+            self.told(segment, _WRITING, (start + len(block)) / segment.frames)
+
+    def _bytes(self, pieces: Sequence[Segment]) -> int:
+        """Two pieces are on the disk at once."""
+        sizes = [piece.frames + self.sample_rate * sum(_lengths(piece).values()) for piece in pieces if piece.sounds]
+        return int(1.05 * _FRAME * sum(sorted(sizes)[-2:]))
+
+
+class _Told:
+    """Adds up how far the pieces are. Two threads tell it, so it locks."""
+
+    def __init__(self, tell: Progress | None, frames: int) -> None:
+        self._tell, self._frames = tell, frames
+        self._done: dict[int, float] = {}
+        self._lock = Lock()
+
+    def __call__(self, segment: Segment, part: tuple[float, float], share: float) -> None:
+        """So much of a part of the work on a piece is done."""
+        if self._tell is None:
+            return
+        before, after = part
+        with self._lock:
+            self._done[segment.start] = segment.frames * (before + (after - before) * share)
+            self._tell("sound", min(1.0, sum(self._done.values()) / self._frames))
+
+
+def _heard_by(
+    hear: Callable[[NDArray[np.float32]], None], blocks: Iterable[NDArray[np.float32]]
+) -> Iterator[NDArray[np.float32]]:
+    for block in blocks:
+        hear(block)
+        yield block
 
 
 def _lengths(segment: Segment) -> dict[str, float]:

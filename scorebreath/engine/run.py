@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Event
 
 from scorebreath.engine.clock import BLOCK
 from scorebreath.engine.engines import Engine
@@ -38,6 +39,7 @@ def run(
     needs: Needs,
     timeout: float | None = None,
     on_progress: Callable[[float], None] | None = None,
+    stopped: Event | None = None,
 ) -> Path:
     """Render `folder/score.osc`; names of files in it are relative to the folder, so none needs more than ASCII.
 
@@ -49,6 +51,7 @@ def run(
         needs: What to make room for.
         timeout: Seconds; None allows a minute and half the length of the sound (engines take 1/500 of it).
         on_progress: Called with the share that is done.
+        stopped: Set by whoever no longer wants the sound; the engine is killed then.
 
     Returns:
         The file of float32 samples in the machine's byte order, one channel, without a header.
@@ -69,6 +72,8 @@ def run(
             raise EngineError(f"the {engine.name} engine does not start: {error}") from None
         try:
             while not _ended(process):
+                if stopped is not None and stopped.is_set():
+                    raise EngineError(f"the {engine.name} engine was stopped")
                 if time.monotonic() - started > allowed:
                     raise EngineError(f"the {engine.name} engine was not done after {allowed:g} s", _said(folder))
                 if on_progress is not None and frames:

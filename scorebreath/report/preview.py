@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import html
-import io
 import json
 from importlib.resources import files
 from pathlib import Path
@@ -15,15 +14,13 @@ from numpy.typing import NDArray
 
 from scorebreath.curves.curve_set import CurveSet
 from scorebreath.errors import InputError
+from scorebreath.report.compact import BLOCK, CompactSound
 from scorebreath.report.rows import clock, groups_counted
 from scorebreath.report.transcript import transcript
 from scorebreath.score.document import Score
-from scorebreath.signal.resample import resample
 
 LONGEST = 600.0
 """s; of a longer Score the preview holds the beginning: 1.5 MB a minute, 21 MB at most"""
-RATE = 24_000
-"""Hz; of the embedded sound, FLAC of 16 bits: sample for sample what was rendered up to 12 kHz, in every browser"""
 FPS = 60
 CHANNELS = (
     "lung_volume", "thorax", "abdomen", "shoulder", "nostril_flare", "mouth_open", "airflow", "head_pitch",
@@ -31,7 +28,6 @@ CHANNELS = (
 )  # fmt: skip
 """What the page draws."""
 STEPS = 2**16 - 1
-BLOCK = 1 << 16
 Samples = NDArray[np.floating[Any]]
 
 
@@ -50,20 +46,46 @@ def write_preview(
     Raises:
         InputError: Samples came without their rate, or the file is no sound.
     """
-    shown = min(score.duration, LONGEST)
-    title = _title(score)
-    parts = {
-        "language": html.escape(score.language or "en", quote=True),
-        "title": html.escape(title),
-        "facts": html.escape(_facts(score, curve_set, shown)),
-        "style": _static("preview.css"),
-        "figure": _static("figure.svg"),
-        "data": _data(score, curve_set, shown),
-        "sound": base64.b64encode(_flac(sound, sample_rate, shown)).decode("ascii"),
-        "script": _static("figure.js") + _static("preview.js"),
-    }
-    for number, piece in enumerate(_static("preview.html").replace("}}", "{{").split("{{")):
-        stream.write((parts[piece] if number % 2 else piece).encode("utf-8", "replace"))
+    page = Preview(score, curve_set)
+    page.write(stream, _compact(sound, sample_rate, page.shown))
+
+
+class Preview:
+    """The page of a Score but for its sound, which may still be in the making."""
+
+    def __init__(self, score: Score, curve_set: CurveSet) -> None:
+        """Make it.
+
+        Args:
+            score: Any Score.
+            curve_set: The curves of the body to be shown.
+        """
+        self.shown = seconds_shown(score)
+        self._parts = {
+            "language": html.escape(score.language or "en", quote=True),
+            "title": html.escape(_title(score)),
+            "facts": html.escape(_facts(score, curve_set, self.shown)),
+            "style": _static("preview.css"),
+            "figure": _static("figure.svg"),
+            "data": _data(score, curve_set, self.shown),
+            "script": _static("figure.js") + _static("preview.js"),
+        }
+
+    def write(self, stream: BinaryIO, sound: CompactSound) -> None:
+        """Write it with its sound.
+
+        Args:
+            stream: Takes bytes.
+            sound: The first `shown` seconds of it, all given; time 0 is the Score's.
+        """
+        parts = {**self._parts, "sound": base64.b64encode(sound.flac()).decode("ascii")}
+        for number, piece in enumerate(_static("preview.html").replace("}}", "{{").split("{{")):
+            stream.write((parts[piece] if number % 2 else piece).encode("utf-8", "replace"))
+
+
+def seconds_shown(score: Score) -> float:
+    """How much of a Score its page holds."""
+    return min(score.duration, LONGEST)
 
 
 def _static(name: str) -> str:
@@ -103,30 +125,20 @@ def _packed(values: NDArray[np.float64]) -> dict[str, object]:
     return {"low": low, "step": step, "values": base64.b64encode(steps.tobytes()).decode("ascii")}
 
 
-def _flac(sound: Path | Samples, sample_rate: int | None, shown: float) -> bytes:
+def _compact(sound: Path | Samples, sample_rate: int | None, shown: float) -> CompactSound:
+    if not isinstance(sound, Path):
+        if sample_rate is None:
+            raise InputError("sample_rate=None: samples need their rate in Hz")
+        compact = CompactSound(sample_rate, shown)
+        compact.add(sound)
+        return compact
     import soundfile
 
-    mono, rate = _mono(sound, sample_rate, shown)
-    made = np.clip(resample(mono, rate, RATE), -1.0, 1.0)
-    held = io.BytesIO()
-    with soundfile.SoundFile(held, "w", RATE, 1, subtype="PCM_16", format="FLAC") as file:
-        for first in range(0, max(1, len(made)), BLOCK):  # libsndfile overflows its stack on one endless block
-            file.write(made[first : first + BLOCK])
-    return held.getvalue()
-
-
-def _mono(sound: Path | Samples, sample_rate: int | None, shown: float) -> tuple[NDArray[np.float32], int]:
-    """The first `shown` seconds in one channel, and their rate."""
-    if isinstance(sound, Path):
-        import soundfile
-
-        try:
-            with soundfile.SoundFile(sound) as file:
-                part = file.read(int(np.ceil(shown * file.samplerate)), dtype="float32", always_2d=True)
-                return part.mean(axis=1, dtype=np.float32), file.samplerate
-        except soundfile.LibsndfileError as error:
-            raise InputError(f"{sound}: {error.error_string} Expected a sound file") from None
-    if sample_rate is None:
-        raise InputError("sample_rate=None: samples need their rate in Hz")
-    part = np.asarray(sound, dtype=np.float32)[: int(np.ceil(shown * sample_rate))]
-    return part if part.ndim == 1 else part.mean(axis=1, dtype=np.float32), sample_rate
+    try:
+        with soundfile.SoundFile(sound) as file:
+            compact = CompactSound(file.samplerate, shown)
+            while not compact.complete and len(block := file.read(BLOCK, dtype="float32")):
+                compact.add(block)
+            return compact
+    except soundfile.LibsndfileError as error:
+        raise InputError(f"{sound}: {error.error_string} Expected a sound file") from None

@@ -227,7 +227,7 @@ def test_a_failure_at_any_file_leaves_what_was_there(
     place = {
         "timeline.png": "scorebreath.report.timeline.write_timeline",
         "curves.csv": "scorebreath.formats.curves_csv.write",
-        "preview.html": "scorebreath.report.preview.write_preview",
+        "preview.html": "scorebreath.report.preview.Preview.write",
         "mix.wav": "scorebreath.engine.offline.write_wave",
     }
     monkeypatch.setattr(place[fails], full)

@@ -16,15 +16,16 @@ import soundfile
 from scorebreath.curves.curve_set import curves
 from scorebreath.errors import InputError
 from scorebreath.report import preview
+from scorebreath.report.compact import RATE
 from scorebreath.score.document import Score
 from tests.curves.scores import Breath, build, score_of
 
 HOSTILE = "</script><script>document.title='taken'</script> <b onclick=x> \u2028 {{sound}} '\"& ]]> <!-- done."
 
 
-def page(score: Score, sound: Any = None, rate: int | None = preview.RATE) -> str:
+def page(score: Score, sound: Any = None, rate: int | None = RATE) -> str:
     if sound is None:
-        sound = tone(score.duration, preview.RATE)
+        sound = tone(score.duration, RATE)
     stream = io.BytesIO()
     preview.write_preview(stream, score, curves(score), sound, rate)
     return stream.getvalue().decode("utf-8")
@@ -47,7 +48,7 @@ def data(html: str) -> dict[str, Any]:
 
 def decoded(html: str) -> np.ndarray[Any, np.dtype[np.float32]]:
     samples, rate = soundfile.read(io.BytesIO(base64.b64decode(element(html, "sound"))), dtype="float32")
-    assert rate == preview.RATE
+    assert rate == RATE
     return np.asarray(samples)
 
 
@@ -76,7 +77,7 @@ def test_the_curves_in_the_page_are_the_curves() -> None:
 
 def test_the_sound_is_the_sound_sample_by_sample() -> None:
     score = build([Breath(speech=1.0)])
-    whole = np.rint(tone(score.duration, preview.RATE) * 32767) / 32768
+    whole = np.rint(tone(score.duration, RATE) * 32767) / 32768
     np.testing.assert_array_equal(decoded(page(score, whole)), whole.astype(np.float32))
 
 
@@ -85,7 +86,7 @@ def test_sound_from_a_file_in_two_channels_at_another_rate(tmp_path: Path) -> No
     left = tone(score.duration, 48_000)
     soundfile.write(tmp_path / "mix.wav", np.column_stack((left, 0 * left)), 48_000, subtype="PCM_24")
     found = decoded(page(score, tmp_path / "mix.wav", None))
-    expected = tone(score.duration, preview.RATE) / 2
+    expected = tone(score.duration, RATE) / 2
     assert abs(len(found) - len(expected)) <= 1
     middle = slice(1000, min(len(found), len(expected)) - 1000)
     np.testing.assert_allclose(found[middle], expected[middle], atol=1e-3)
@@ -98,7 +99,7 @@ def test_a_long_score_is_cut_and_the_page_says_so(monkeypatch: pytest.MonkeyPatc
     assert "this page holds the first 1:00" in html
     found = data(html)
     assert found["shown"] == 60.0
-    assert len(decoded(html)) == 60 * preview.RATE
+    assert len(decoded(html)) == 60 * RATE
     assert max(piece.get("onset", 0) for piece in found["text"]) < 60
     assert "holds the first" not in page(build([Breath()]))
 
@@ -113,7 +114,7 @@ def test_text_cannot_leave_its_place() -> None:
 
 def test_hardly_anything_is_enough_for_a_page() -> None:
     assert "Speech and breath" in page(score_of([]))
-    assert decoded(page(score_of([], duration=0.5))).size == preview.RATE // 2
+    assert decoded(page(score_of([], duration=0.5))).size == RATE // 2
 
 
 def test_what_is_no_sound_is_refused(tmp_path: Path) -> None:
