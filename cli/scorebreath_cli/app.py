@@ -18,8 +18,9 @@ from scorebreath_cli.commands.presets import presets
 from scorebreath_cli.commands.render import render
 from scorebreath_cli.commands.schema import schema
 from scorebreath_cli.commands.voices import voices
-from scorebreath_cli.failures import Failure, Status
+from scorebreath_cli.failures import Failure, Status, failure_of
 from scorebreath_cli.printers import HumanPrinter
+from scorebreath_cli.streams import silence
 
 MAKE, LOOK = "Make", "Look"
 Examples = tuple[str, ...]
@@ -87,9 +88,22 @@ class _Commands(TyperGroup):
             if not standalone_mode:
                 raise
             sys.exit(Status.INTERRUPTED)
+        except OSError as error:  # of `--help` and `--version`; a command tells its own
+            if not standalone_mode:
+                raise
+            sys.exit(_unheard(error))
         if not standalone_mode:
             return status
         sys.exit(status or Status.DONE)
+
+
+def _unheard(error: OSError) -> Status:
+    """Help that cannot be shown: say so, unless its reader has just had enough."""
+    failure = failure_of(error)
+    if failure.status != Status.PIPE_CLOSED:
+        sys.stderr.write(f"scorebreath: {failure.message}\n")
+    silence()
+    return failure.status
 
 
 def _complain(error: typer.BadParameter) -> None:

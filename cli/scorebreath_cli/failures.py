@@ -6,13 +6,15 @@ import os
 import sys
 import traceback
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from enum import IntEnum
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
+
+from scorebreath_cli.streams import silence
 
 if TYPE_CHECKING:
     from scorebreath_cli.printers import Printer
@@ -113,14 +115,19 @@ def reporting(make_printer: Callable[[], Printer], *, debug: bool) -> Iterator[P
 
 
 def _tell(printer: Printer, failure: Failure) -> None:
-    """Even when nobody listens any more."""
+    """Even when nobody listens any more: what cannot be told on stdout is told on stderr."""
+    from scorebreath_cli.printers import HumanPrinter
+
+    said = failure.status == Status.PIPE_CLOSED
     try:
-        if failure.status != Status.PIPE_CLOSED:
+        if not said:
             printer.failed(failure)
         sys.stdout.flush()
-    except OSError:
-        # Python would complain once more when it closes stdout.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as error:
+        silence()
+        if not said and not isinstance(error, BrokenPipeError):
+            with suppress(OSError):
+                HumanPrinter().failed(failure)
 
 
 def _bug(error: BaseException) -> str:

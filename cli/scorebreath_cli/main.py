@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
+import atexit
 import gc
 import os
 import signal
 import sys
 from types import FrameType
 from typing import NoReturn
-
-LAST_STANDARD = 2
-"""Descriptors up to this one are children's as well."""
 
 COLLECTIONS = (100_000, 20, 100)
 """Thresholds of the garbage collector: a Score of an hour is a million objects and none of them garbage, so looking
@@ -24,27 +22,21 @@ def main() -> NoReturn:
         SystemExit: Always; 0 done, 1 our bug, 2 bad usage or input, 3 environment, 130 interrupted.
     """
     gc.set_threshold(*COLLECTIONS)
+    atexit.register(gc.freeze)  # or the interpreter looks for garbage in all there is, just before it ends
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # nothing here multiplies matrices; a pool takes 0.1 s to start
     try:
         for name in ("SIGTERM", "SIGHUP"):
             if hasattr(signal, name):
                 signal.signal(getattr(signal, name), _end)
-        _open_closed()
+        from scorebreath_cli import streams
+
+        streams.prepare()
         from scorebreath_cli.app import app
 
         app(prog_name="scorebreath")
     except KeyboardInterrupt:
         sys.exit(130)
     sys.exit(0)
-
-
-def _open_closed() -> None:
-    """Streams that were closed when we began (`>&-`) take and give nothing."""
-    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
-        if getattr(sys, name) is None:
-            stream = open(os.devnull, mode, encoding="utf-8")  # noqa: PTH123, SIM115 - open until we end
-            os.set_inheritable(stream.fileno(), stream.fileno() <= LAST_STANDARD)
-            setattr(sys, name, stream)
 
 
 def _end(number: int, _frame: FrameType | None) -> NoReturn:

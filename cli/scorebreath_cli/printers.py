@@ -7,6 +7,8 @@ import sys
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
+from scorebreath_cli.streams import stdout_is_shut
+
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
@@ -150,9 +152,10 @@ class HumanPrinter:
         self._bar.update(self._task, description=f"{STAGES.get(stage, stage)} {self._source}", completed=fraction)
 
     def written(self, path: str, size: int) -> None:
-        """The path, on stdout, in one line."""
+        """The path, on stdout, in one line; the file is there whether or not anybody wants to know."""
         self.close()
-        _print(path.translate(_SHOWN_AS_CODE))
+        if not stdout_is_shut():
+            _print(path.translate(_SHOWN_AS_CODE))
 
     def note(self, text: str) -> None:
         """On stderr."""

@@ -304,23 +304,51 @@ def test_no_terminal_no_colours(tmp_path: Path) -> None:
     assert b"\x1b" not in result.stdout
 
 
+def shell(words: str, redirection: str, folder: Path) -> subprocess.CompletedProcess[bytes]:
+    """The program with its streams as a shell redirects them."""
+    return subprocess.run(
+        ["sh", "-c", f'"$@" {redirection}', "sh", *PROGRAM, *words.split()],
+        cwd=folder, env=ENVIRONMENT, capture_output=True, timeout=60, check=False,
+    )  # fmt: skip
+
+
 @pytest.mark.skipif(os.name != "posix", reason="closes descriptors as a shell does")
 @pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-"])
-def test_closed_streams_are_nobodys_error(tmp_path: Path, closed: str) -> None:
+def test_closed_streams_are_nobodys_error_where_nothing_goes_there(tmp_path: Path, closed: str) -> None:
     (tmp_path / "in.txt").write_text("Hello.")
     for words, status in (
         ("compile in.txt -o out/s.json --voice tone", 0),
-        ("compile missing.txt", 2),
+        ("compile missing.txt -o missing.json", 2),
         ("rendr", 2),
-        ("params --json", 0),
+        ("params --json", 3 if ">&-" in closed.split() else 0),
     ):
-        result = subprocess.run(
-            ["sh", "-c", f'"$@" {closed}', "sh", *PROGRAM, *words.split()],
-            cwd=tmp_path, env=ENVIRONMENT, capture_output=True, timeout=60, check=False,
-        )  # fmt: skip
+        result = shell(words, closed, tmp_path)
         assert result.returncode == status, (words, result.stderr)
         assert b"Traceback" not in result.stdout + result.stderr
     assert (tmp_path / "out" / "s.json").stat().st_size > 0
+
+
+TO_STDOUT = (
+    "compile in.txt --voice tone", "render in.txt -o - --voice tone", "curves s.json", "curves --describe", "schema",
+    "explain s.json", "explain s.json --json", "params", "params --json", "presets nose", "doctor --json", "--help",
+    "render --help", "--version", "compile in.txt -o again.json --voice tone --json",
+)  # fmt: skip
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no /dev/full")  # noqa: PTH110
+def test_output_that_cannot_go_to_stdout_is_said_to_be_lost(tmp_path: Path) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    assert run("compile", tmp_path / "in.txt", "-o", tmp_path / "s.json", "--voice", "tone").exit_code == 0
+    for words in TO_STDOUT:
+        result = shell(words, ">&-", tmp_path)
+        assert (result.returncode, result.stderr) == (
+            3,
+            b"scorebreath: <stdout>: is closed, but output goes there\n",
+        ), words
+    for words in (TO_STDOUT[0], "params", "params --json", "--help"):
+        result = shell(words, ">/dev/full", tmp_path)
+        assert (result.returncode, result.stderr) == (3, b"scorebreath: <stdout>: No space left on device\n"), words
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["in.txt", "s.json", "speech"]
 
 
 CONTROL = "\x1b]0;owned\x07\x9b31m\x7f\u202e"

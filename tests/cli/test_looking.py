@@ -255,7 +255,7 @@ def test_a_closed_pipe_is_nobodys_error() -> None:
 def test_a_full_disk_is_the_environments() -> None:
     with open("/dev/full", "wb") as full:  # noqa: PTH123
         result = spawn("params", stdout=full, stderr=subprocess.PIPE, capture_output=False)
-    assert (result.returncode, result.stderr) == (3, b"scorebreath: No space left on device\n")
+    assert (result.returncode, result.stderr) == (3, b"scorebreath: <stdout>: No space left on device\n")
 
 
 def test_a_plain_table_is_one_line_a_row() -> None:

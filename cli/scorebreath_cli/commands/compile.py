@@ -47,12 +47,15 @@ def compile_(
         from scorebreath_cli.inputs import read_source
         from scorebreath_cli.making import Compiler
         from scorebreath_cli.outputs import STANDARD, refuse_existing, refuse_own_input, staged
+        from scorebreath_cli.streams import check_stdout
 
         to_stdout = output == STANDARD
         if to_stdout and json_lines:
             raise InputError("--json tells its events on stdout, where -o - would put the score; use -o FILE")
         path = Path(output)
-        if not to_stdout:
+        if to_stdout:
+            check_stdout()
+        else:
             refuse_own_input(script, [path])
             refuse_existing(path.parent, (path.name,), force=force)
         with Compiler(options, printer) as compiler:

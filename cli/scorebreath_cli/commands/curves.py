@@ -71,6 +71,7 @@ def _write(
     from scorebreath_cli.inputs import load_score, read_source
     from scorebreath_cli.outputs import STANDARD, refuse_existing, refuse_own_input, staged_file
     from scorebreath_cli.settings import frame_rate
+    from scorebreath_cli.streams import check_stdout
 
     rate = frame_rate(fps)
     path = Path(output)
@@ -80,7 +81,9 @@ def _write(
         raise InputError(f"--format {form}: must be csv or json")
     if output == STANDARD and json_lines:
         raise InputError("--json tells its events on stdout, where -o - would put the curves; use -o FILE")
-    if output != STANDARD:
+    if output == STANDARD:
+        check_stdout()
+    else:
         refuse_own_input(given, [path])
         refuse_existing(path.parent, (path.name,), force=force)
 

@@ -64,6 +64,7 @@ def render(
         from scorebreath_cli.making import Compiler
         from scorebreath_cli.outputs import STANDARD
         from scorebreath_cli.rendering import Renderer, SoundOptions
+        from scorebreath_cli.streams import check_stdout
 
         sound = SoundOptions(engine=engine, rate=rate, fps=fps)
         with Compiler(options, printer) as compiler:
@@ -71,6 +72,7 @@ def render(
             if output == STANDARD:
                 if len(inputs) > 1 or json_lines:
                     raise InputError("-o -: takes one input and no --json, as stdout takes the sound alone")
+                check_stdout()
                 renderer.to_stdout(inputs[0])
             elif len(inputs) == 1:
                 renderer.into(inputs[0], Path(output), force=force)
