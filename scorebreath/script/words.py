@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from scorebreath.script import emoticons
+from scorebreath.script import emoticons, telephone
 from scorebreath.script.kinds import kinds as kinds_of
 from scorebreath.script.model import Edge
 from scorebreath.spans import Span
@@ -94,7 +94,7 @@ def cut(text: str, gap: str, start: int, *, poem: bool) -> list[Written]:
         Words with lines counted from 0 and the edges they have inside a sentence; may be empty.
     """
     kinds = kinds_of(text + gap)
-    shown = _cover(text, kinds)
+    shown = _cover(text, kinds, poem)
     cores = [core for core in _cores(shown[: len(text)]) if core.cut(text) != "#"]
     cores = cores or list(_cores(kinds[: len(text)]))
     if not cores:
@@ -134,8 +134,8 @@ def cut(text: str, gap: str, start: int, *, poem: bool) -> list[Written]:
     return words
 
 
-def _cover(text: str, kinds: str) -> str:
-    """Kinds with emoticons made spaces and links made letters."""
+def _cover(text: str, kinds: str, poem: bool) -> str:
+    """Kinds with emoticons made spaces, links letters, and telephone numbers figures."""
     shown = kinds
     if "-" in text or ":" in text or ";" in text or "=" in text:
         for span in emoticons.spans(text):
@@ -146,6 +146,11 @@ def _cover(text: str, kinds: str) -> str:
             if tail := _LINK_TAIL.search(kinds, match.start(), stop):
                 stop = tail.start()
             shown = shown[: match.start()] + "a" * (stop - match.start()) + shown[stop:]
+    if "d" in shown:
+        for span in telephone.spans(text):
+            within = span.cut(shown)
+            if "a" not in within and not (poem and "n" in within):
+                shown = shown[: span.start] + "d" * span.length + shown[span.end :]
     return shown
 
 

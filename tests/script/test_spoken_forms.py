@@ -63,6 +63,12 @@ so $5m or -$2bn or 5¢ = so five million dollars or minus two billion dollars or
 6 ft 2 in., so = six feet two inches, so
 at 020 7946 0958 = at zero two zero seven nine four six zero nine five eight
 at +44 20 7946 0958 = at plus four four two zero seven nine four six zero nine five eight
+at +1 (555) 123-4567 = at plus one five five five one two three four five six seven
+at (020) 7946 0958 = at zero two zero seven nine four six zero nine five eight
+at 1-800-555-0199 = at one eight zero zero five five five zero one nine nine
+at 555.123.4567 = at five five five one two three four five six seven
+on 05/06/2024, (2019) 100-200 = on five six twenty twenty-four, twenty nineteen, one hundred to two hundred
+at +5 (10) 20 = at plus five, ten, twenty
 50 000 at US$30 in room 5 100 = fifty thousand at thirty U.S dollars in room five one hundred
 """
 GERMAN = """
@@ -88,6 +94,8 @@ die EU, USA und CDU, NATO = die E.U, U.S.A und C.D.U, NATO
 Ludwig XIV. war im II. Weltkrieg = Ludwig der vierzehnte war im zweiten Weltkrieg
 § 5 und R&B = Paragraf fünf und R und B
 am 1.5. und 030 1234567 = am ersten Mai und null drei null eins zwei drei vier fünf sechs sieben
+unter +49 (30) 123 45 67 = unter plus vier neun drei null eins zwei drei vier fünf sechs sieben
+unter (030) 1234567 = unter null drei null eins zwei drei vier fünf sechs sieben
 die 1990ern und 1½ und $5m = die neunzehnhundertneunzigern und eineinhalb und fünf Millionen Dollar
 Friedrich d. Gr. und EDV und UN = Friedrich der Große und E.D.V und U.N
 5 > 3 und 10^3 = fünf größer als drei und zehn hoch drei
@@ -166,6 +174,27 @@ def test_the_way_back_is_exact() -> None:
     assert places[::2] == [Span(start + place, start + place + 1) for place in range(3)]
     assert places[5] == Span(start + 3, start + 4)
     assert letters.words == ("F", "B", "I")
+
+
+@pytest.mark.parametrize("number", ["+1 (555) 123-4567", "(030) 1234567", "+44 (0)20 7946 0958", "+1 (555)\n123-4567"])
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+def test_a_telephone_number_is_one_word_with_no_place_to_breathe(number: str, language: str) -> None:
+    text = f"Call {number}, now. {number} it is"
+    script = read(text, language=language, poem=False)
+    spoken = [word for sentence in script.sentences for word in sentence.words]
+    assert [word.text for word in spoken] == ["Call", number, "now", number, "it", "is"]
+    assert [word.edge for word in spoken[:3]] == ["word", "comma", "sentence"]
+    assert not set("()") & set(said(spoken))
+    if language != "fr":
+        digits = [word for word in spoken[1].words if word != "plus"]
+        assert len(digits) == sum(character.isdecimal() for character in number)
+    last = spoken[1].spoken.source(len(spoken[1].spoken.text) - 2, len(spoken[1].spoken.text) - 1)
+    assert last and last.end == text.index(",")
+
+
+def test_a_telephone_number_does_not_run_over_the_end_of_a_line_of_verse() -> None:
+    spoken = [word.text for sentence in read("(555)\n123-4567 so", poem=True).sentences for word in sentence.words]
+    assert spoken == ["555", "123-4567", "so"]
 
 
 def test_letters_are_composed_and_ornament_goes() -> None:

@@ -9,7 +9,8 @@ import re
 from collections.abc import Callable
 from functools import lru_cache
 
-from scorebreath.script.normalise.context import Context, Said
+from scorebreath.script import telephone
+from scorebreath.script.normalise.context import Context, Part, Said
 from scorebreath.script.normalise.dates import (
     date,
     decade,
@@ -24,6 +25,7 @@ from scorebreath.script.normalise.figures import amount, counting, mixture, plai
 from scorebreath.script.normalise.money import foreign_money, money, money_behind
 from scorebreath.script.normalise.numbers import cardinal, digits, ordinal, whole, year
 from scorebreath.script.normalise.tables import tables as tables_of
+from scorebreath.spans import Span
 
 _DENOMINATORS = (3, 4, 5, 6, 7, 8, 9, 10, 12, 16, 100, 1000)
 
@@ -32,6 +34,8 @@ Rule = Callable[[re.Match[str], Context], Said | None]
 
 def say_amount(context: Context) -> Said:
     """How a word with figures is said."""
+    if telephone.is_number(context.word.text):
+        return _telephone(context)
     text = plain(context.word.text)
     for pattern, rule in _rules(context.tables.language):
         if (match := pattern.fullmatch(text)) and (said := rule(match, context)):
@@ -61,7 +65,6 @@ def _rules(language: str) -> tuple[tuple[re.Pattern[str], Rule], ...]:
             (rf"(?P<minus>-?)(?P<money>{symbols})(?P<number>{number})(?P<unit>\D*)", money),
             (rf"(?P<number>{number})(?P<money>{symbols})", money),
             (rf"(?P<land>[A-Z]{{1,3}})(?P<money>\$)(?P<number>{number})", foreign_money),
-            (r"\+\d{1,3}|0\d{1,5}", _telephone),
             (rf"(?P<number>{number})", money_behind),
             (r"#(?P<number>\d+)", _numbered),
             (r"(?P<number>\d{1,3}(?:,\d{3})*)(?:st|nd|rd|th)", suffixed),
@@ -169,16 +172,14 @@ def _spaced_thousands(match: re.Match[str], context: Context) -> Said | None:
     return context.one(whole(figures, language), count=count)
 
 
-def _telephone(match: re.Match[str], context: Context) -> Said | None:
-    """+49 30 1234567 and 020 7946 0958, figure by figure; one of fewer than eight figures is something else."""
-    tables, figures, count = context.tables, [match[0].removeprefix("+")], 1
-    while (more := context.follower(count)) and re.fullmatch(r"\d{2,8}", plain(more.text)) and count < 6:
-        figures.append(plain(more.text))
-        count += 1
-    if count == 1 or sum(map(len, figures)) < 8:
-        return None
-    sign = [tables.settings["plus"]] if match[0][0] == "+" else []
-    return context.one(" ".join((*sign, *(digits(group, tables.language) for group in figures))), count=count)
+def _telephone(context: Context) -> Said:
+    """+49 30 1234567 and (020) 7946 0958, figure by figure, each group with its place."""
+    tables, start, parts = context.tables, context.word.core.start, list[Part]()
+    for group in re.finditer(r"\+|\d+", context.word.text):
+        parts += [(" ", None)] if parts else []
+        said = tables.settings["plus"] if group[0] == "+" else digits(plain(group[0]), tables.language)
+        parts.append((said, Span(start + group.start(), start + group.end())))
+    return Said(parts)
 
 
 def _number(match: re.Match[str], context: Context) -> Said | None:
