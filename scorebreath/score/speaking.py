@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
+from scorebreath.errors import ScoreError
 from scorebreath.score.event import Closing, Event, Part, PauseKind, SentenceType
 from scorebreath.score.values import FORWARD, LARGEST, Flag, Limits, Number, Whole, limits
 
@@ -31,7 +32,7 @@ class Word(Part):
 class Phone(Part):
     """A phone; phones are contiguous over the utterance, pauses among them."""
 
-    limits: ClassVar[Limits] = limits(onset=FORWARD, duration=FORWARD)
+    limits: ClassVar[Limits] = limits(onset=FORWARD, duration=FORWARD, word=(0, 2**31))
 
     ipa: str
     """International Phonetic Alphabet; empty for a pause"""
@@ -84,6 +85,19 @@ class Utterance(Event):
     phones: tuple[Phone, ...]
     pitch: Pitch
     level: Level
+
+    def __post_init__(self) -> None:
+        """Check the numbers, and that every phone is of a word that is there.
+
+        Raises:
+            ScoreError: A phone names a word beyond the last one.
+        """
+        super(Utterance, self).__post_init__()  # zero-argument super() breaks under dataclass slots
+        count = len(self.words)
+        for number, phone in enumerate(self.phones):
+            if phone.word is not None and phone.word >= count:
+                known = f"in [0, {count - 1}], an index among its words" if count else "left out, as it has no words"
+                raise ScoreError(f"Utterance {self.id!r}: phones[{number}].word={phone.word} must be {known}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -63,7 +63,8 @@ def of_type(hint: Any, low: float = -2000.0, high: float = 2000.0) -> st.SearchS
     if origin is collections.abc.Mapping:
         return st.dictionaries(names, numbers | st.booleans() | names, max_size=3)
     if type(None) in args:
-        return st.none() | of_type(typing.Union[tuple(arg for arg in args if arg is not type(None))])  # noqa: UP007
+        some = typing.Union[tuple(arg for arg in args if arg is not type(None))]  # noqa: UP007
+        return st.none() | of_type(some, low, high)
     if hint is Event:
         return st.nothing()  # drawn apart, so that they fit their Score
     raise TypeError(hint)
@@ -102,7 +103,18 @@ def event_of(kind: Any) -> st.SearchStrategy[Event]:
         strategies["kind"] = names.map(lambda name: f"x_{name}")
     if kind is Utterance:
         strategies["media"] = st.sampled_from(MEDIA)
+        return utterances(strategies)
     return st.builds(kind, **strategies)
+
+
+@st.composite
+def utterances(draw: st.DrawFn, strategies: dict[str, st.SearchStrategy[Any]]) -> Utterance:
+    """Utterances whose phones are of their words."""
+    values = {name: draw(strategy) for name, strategy in strategies.items()}
+    count = len(values["words"])
+    words = st.none() | st.integers(0, count - 1) if count else st.none()
+    values["phones"] = tuple(dataclasses.replace(phone, word=draw(words)) for phone in values["phones"])
+    return Utterance(**values)
 
 
 events = st.one_of([event_of(kind) for kind, _ in EVENTS.values()] + [event_of(Unknown)])

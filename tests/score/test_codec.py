@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from typing import Any
 
@@ -12,9 +13,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from scorebreath.errors import ScoreError
-from scorebreath.score.codec import decode_event, dump_event, dumps, json_schema, loads
+from scorebreath.score.codec import decode_event, dump_event, dumps, encode, json_schema, loads
 from scorebreath.score.document import Score
-from scorebreath.score.events import EVENTS, Phone, Pitch, Trapezoid, Unknown
+from scorebreath.score.events import EVENTS, Level, Phone, Pitch, Trapezoid, Unknown, Utterance, Word
 
 from .strategies import scores
 
@@ -137,3 +138,24 @@ def test_numbers_become_floats_whatever_they_came_as() -> None:
         Pitch(step=0.005, hertz=(float("nan"),))
     with pytest.raises(ScoreError, match="Phone"):
         Phone(ipa="a", onset=float("inf"), duration=0.1)
+
+
+def test_a_phone_is_of_a_word_that_is_there() -> None:
+    word = Word(text="so", onset=0.0, duration=0.2)
+    phones = tuple(Phone(ipa="o", onset=0.1 * n, duration=0.1, word=n) for n in range(2))
+    spoken = Utterance(
+        id="u", body="body", onset=0.0, duration=0.2, media="m", gain_db=0.0, closing="final", words=(word, word),
+        phones=phones, pitch=Pitch(step=0.01, hertz=()), level=Level(step=0.01, db=()),
+    )  # fmt: skip
+    for words, said in (
+        ((word,), r"phones\[1\]\.word=1 must be in \[0, 0\]"),
+        ((), r"phones\[0\]\.word=0 must be left"),
+    ):
+        with pytest.raises(ScoreError, match=said):
+            dataclasses.replace(spoken, words=words)
+    with pytest.raises(ScoreError, match=r"Phone\.word=-1"):
+        Phone(ipa="o", onset=0.0, duration=0.1, word=-1)
+    plain = encode(spoken)
+    plain["phones"][1]["word"] = 999
+    with pytest.raises(ScoreError, match=r"f\.json: events\[4\]: .*phones\[1\]\.word=999 must be in \[0, 1\]"):
+        decode_event(plain, "events[4]", "f.json")
