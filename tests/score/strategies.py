@@ -63,7 +63,7 @@ def of_type(hint: Any, low: float = -2000.0, high: float = 2000.0) -> st.SearchS
     if origin is collections.abc.Mapping:
         return st.dictionaries(names, numbers | st.booleans() | names, max_size=3)
     if type(None) in args:
-        some = typing.Union[tuple(arg for arg in args if arg is not type(None))]  # noqa: UP007
+        some: Any = typing.Union[tuple(arg for arg in args if arg is not type(None))]  # noqa: UP007
         return st.none() | of_type(some, low, high)
     if hint is Event:
         return st.nothing()  # drawn apart, so that they fit their Score
