@@ -8,13 +8,13 @@ import subprocess
 import sys
 import tempfile
 import weakref
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
-from threading import Timer
 from typing import IO, Any, BinaryIO, cast
 
 from scorebreath.errors import VoiceError
+from scorebreath.speech.deadline import Deadline
 from scorebreath.speech.wire import WireError, read_message
 
 GRACE = 2.0
@@ -49,7 +49,6 @@ class Process:
         Raises:
             VoiceError: The system cannot start it.
         """
-        self._failure = ""
         self._words: IO[bytes] = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _end
         try:
             self._process = subprocess.Popen(
@@ -62,7 +61,8 @@ class Process:
         except OSError as error:
             self._words.close()
             raise VoiceError(f"the voice's worker process does not start: {error}") from error
-        self.end = weakref.finalize(self, _end, self._process, self._words)
+        self._deadline = Deadline(self._process.kill)
+        self.end = weakref.finalize(self, _end, self._process, self._words, self._deadline)
 
     @property
     def pid(self) -> int:
@@ -72,7 +72,7 @@ class Process:
     def write(self, message: bytes, deadline: float) -> None:
         """Send; if the worker is dead, `read` will tell."""
         assert self._process.stdin is not None
-        with self._at_most(deadline), suppress(OSError):
+        with self._deadline.within(deadline), suppress(OSError):
             self._process.stdin.write(message)
             self._process.stdin.flush()
 
@@ -80,7 +80,7 @@ class Process:
         """The next answer, or None when there will be none: the worker is dead then, and `why` says how it died."""
         message = None
         answers = cast(BinaryIO, self._process.stdout)
-        with self._at_most(deadline), suppress(WireError, OSError):
+        with self._deadline.within(deadline), suppress(WireError, OSError):
             message = read_message(answers)
         return message
 
@@ -92,26 +92,13 @@ class Process:
         self._words.seek(max(0, self._words.tell() - LAST_WORDS))
         lines = [line.strip() for line in self._words.read().decode("utf-8", "replace").splitlines()]
         said = next((line for line in reversed(lines) if line), "")
-        what = self._failure or f"its worker crashed (exit status {self._process.returncode})"
+        missed = self._deadline.missed
+        crashed = f"its worker crashed (exit status {self._process.returncode})"
+        what = crashed if missed is None else f"no answer within {missed:.3g} s"
         return f"{what}: {said}" if said else what
 
-    @contextmanager
-    def _at_most(self, deadline: float) -> Iterator[None]:
-        """Kill the process if the block takes longer: that ends any wait for it."""
-        watch = Timer(deadline, self._too_late, (deadline,))
-        watch.daemon = True
-        watch.start()
-        try:
-            yield
-        finally:
-            watch.cancel()
 
-    def _too_late(self, deadline: float) -> None:
-        self._failure = f"no answer within {deadline:.3g} s"
-        self._process.kill()
-
-
-def _end(process: subprocess.Popen[bytes], words: IO[bytes]) -> None:
+def _end(process: subprocess.Popen[bytes], words: IO[bytes], deadline: Deadline) -> None:
     """Close the pipes, which ends the worker; kill it if it does not."""
     for stream in (process.stdin, process.stdout):
         if stream is not None:
@@ -122,4 +109,5 @@ def _end(process: subprocess.Popen[bytes], words: IO[bytes]) -> None:
     except subprocess.TimeoutExpired:
         process.kill()
         process.wait()
+    deadline.close()
     words.close()
