@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
-from typing import Any, BinaryIO
+from dataclasses import dataclass
+from typing import Any, BinaryIO, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,8 +14,25 @@ DPI = 100
 FONTS = ("DejaVu Sans", "Noto Sans CJK SC", "Noto Sans CJK JP", "WenQuanYi Zen Hei", "Noto Sans Arabic", "Noto Emoji")
 """The first is matplotlib's own; the others are used for what it lacks, where they are installed."""
 
+COMPRESSION = 2
+"""of the PNG, 0..9: a picture of flat areas gains nothing from more"""
+
 Points = NDArray[np.float64]
 Dashes = tuple[float, ...]
+Align = Literal["left", "center", "right"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Text:
+    x: float
+    y: float
+    """of the baseline"""
+    shown: str
+    size: float
+    """pixels"""
+    color: str
+    align: Align
+    weight: str
 
 
 class Sheet:
@@ -25,7 +43,7 @@ class Sheet:
         self.width, self.height, self.paper = width, height, paper
         self._areas: dict[tuple[int, str], list[Points]] = {}
         self._lines: dict[tuple[int, str, float, Dashes], list[Points]] = {}
-        self._texts: list[dict[str, Any]] = []
+        self._texts: list[_Text] = []
 
     def area(self, x: ArrayLike, upper: ArrayLike, lower: ArrayLike, color: str, *, layer: int = 0) -> None:
         """Fill between two curves; numbers stand for level ones."""
@@ -42,13 +60,12 @@ class Sheet:
         self._lines.setdefault((layer, color, width, dashes), []).append(points)
 
     def text(
-        self, x: float, y: float, text: str, size: float, color: str, *, align: str = "left", weight: str = "normal"
+        self, x: float, y: float, text: str, size: float, color: str, *, align: Align = "left", weight: str = "normal"
     ) -> None:
         """One line of text on the baseline `y`, `size` in pixels; never taken for mathematics."""
         shown = "".join(c if c.isprintable() else " " for c in text)
-        self._texts.append(
-            {"x": x, "y": y, "s": shown, "fontsize": size * 72 / DPI, "color": color, "ha": align, "weight": weight}
-        )
+        if shown.strip():
+            self._texts.append(_Text(x=x, y=y, shown=shown, size=size, color=color, align=align, weight=weight))
 
     def png(self, stream: BinaryIO) -> None:
         """Paint it all; layers in order, within a layer areas before lines, texts last."""
@@ -67,14 +84,32 @@ class Sheet:
             style = (0, dashes) if dashes else "solid"
             stroke = {"linewidth": width * point, "linestyle": style, "joinstyle": "round", "capstyle": "butt"}
             axes.add_collection(LineCollection(lines, color=color, zorder=2 * layer + 1, **stroke), autolim=False)
-        fonts = _fonts()
-        for text in self._texts:
-            axes.text(**text, family=fonts, va="baseline", parse_math=False, zorder=99)
         canvas: Any = FigureCanvasAgg(figure)
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", message=".*Glyph .* missing from")  # no font has every script
             canvas.draw()
-        Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3]).save(stream, "png", compress_level=3)
+            self._write(canvas.get_renderer())
+        image = Image.frombuffer("RGBA", (self.width, self.height), canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
+        image.convert("RGB").save(stream, "png", compress_level=COMPRESSION)
+
+    def _write(self, renderer: Any) -> None:
+        """All texts, straight into the picture: matplotlib's own Text measures each several times first."""
+        from matplotlib.font_manager import FontProperties
+
+        fonts = _fonts()
+        looks: dict[tuple[float, str], FontProperties] = {}
+        for text in self._texts:
+            look = looks.setdefault(
+                (text.size, text.weight), FontProperties(family=fonts, size=text.size * 72 / DPI, weight=text.weight)
+            )
+            x = text.x
+            if text.align != "left":
+                width = renderer.get_text_width_height_descent(text.shown, look, ismath=False)[0]
+                x -= width if text.align == "right" else width / 2
+            ink = renderer.new_gc()
+            ink.set_foreground(text.color)
+            renderer.draw_text(ink, x, text.y, text.shown, look, 0)
+            ink.restore()
 
 
 def _fonts() -> Sequence[str]:
