@@ -158,7 +158,7 @@ class Reader:
         """The next letter or digit that is no part of an emoticon."""
         for match in _LETTER.finditer(self._kinds, self._at):
             place = match.start()
-            near = max(self._at, place - emoticons.LONGEST), min(len(self._text), place + 2)
+            near = max(self._at, place - emoticons.LONGEST), min(len(self._text), place + emoticons.LONGEST)
             if not any(span.start <= place < span.end for span in emoticons.spans(self._text, *near)):
                 return place
         return None
@@ -171,7 +171,7 @@ class Reader:
         while True:
             first = self._candidate(start, judged, min(known, cap))
             end = cap if first is None else min(cap, max(first[1] + AHEAD, judged + STEP))
-            if first and judged == start and certain(self._text, self._kinds, *first, self._language):
+            if first and judged == start and self._certain(*first):
                 self._ends, self._complete = [first[1]], True
                 return True
             apart = _BREAK.search(self._kinds, start, min(known, end))
@@ -188,6 +188,12 @@ class Reader:
             if self._ends:
                 return True
             judged = end - AHEAD
+
+    def _certain(self, first: int, behind: int) -> bool:
+        """Whether the sentence ends with these marks beyond doubt, in its first paragraph."""
+        if not certain(self._text, self._kinds, first, behind, self._language):
+            return False
+        return _BREAK.search(self._kinds, self._at, first) is None
 
     def _asked(self, start: int, judged: int, end: int, final: bool) -> list[int]:
         """Ends between `judged` and `end` as pysbd sees them, shown the text from about `start` on."""

@@ -55,6 +55,17 @@ def test_control_characters_are_spaces_and_a_form_feed_a_paragraph() -> None:
     assert [sentence.stanza for sentence in script.sentences] == [0, 1]
 
 
+@pytest.mark.parametrize("gap", ["\n\n", "\n \n", "\f"])
+def test_a_heading_without_a_full_stop_is_a_paragraph_of_its_own(gap: str) -> None:
+    """Even where the first sentence below it ends beyond doubt; and however the text arrives."""
+    text = f"The heading{gap}The story went on. Then it ended"
+    script = read(text)
+    assert [sentence.text for sentence in script.sentences] == ["The heading", "The story went on.", "Then it ended"]
+    assert [sentence.stanza for sentence in script.sentences] == [0, 1, 1]
+    reader = Reader()
+    assert tuple([one for letter in text for one in reader.feed(letter)] + reader.finish()) == script.sentences
+
+
 def test_any_newline_will_do() -> None:
     for newline in ("\n", "\r\n", "\r"):
         script = read(newline.join(["One", "two.", "", "Three"]))
