@@ -176,7 +176,7 @@ def _copy(text: str) -> _Copy:
             stretches.append(_Stretch(length, start, end, even))
             length += len(piece)
 
-    skipped = emoticons.spans(text) if "-" in text or ":" in text or ";" in text or "=" in text else ()
+    skipped = emoticons.spans(text) if emoticons.possible(text) else ()
     for span in (*skipped, None):
         stop = span.start if span else len(text)
         for match in _COPY.finditer(text, at, stop):

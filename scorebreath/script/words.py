@@ -22,6 +22,7 @@ _CORE = re.compile(
     | km*
     | (?<![^ n(\"]) S (?![^ n.,;:!?)\"])                # a symbol by itself
     | (?<=[^ n][ ]) c (?=[ ][^ n])              # a < b
+    | (?:(?<=d[ ])|(?<=[ n]a[ ])|(?<=\Aa[ ])) c (?=\.?d)  # 5 <3.2, x <3
     """,
     re.VERBOSE,
 )
@@ -137,7 +138,7 @@ def cut(text: str, gap: str, start: int, *, poem: bool) -> list[Written]:
 def _cover(text: str, kinds: str, poem: bool) -> str:
     """Kinds with emoticons made spaces, links letters, and telephone numbers figures."""
     shown = kinds
-    if "-" in text or ":" in text or ";" in text or "=" in text:
+    if emoticons.possible(text):
         for span in emoticons.spans(text):
             shown = shown[: span.start] + " " * span.length + shown[span.end :]
     if "://" in text or "www." in text:

@@ -95,7 +95,8 @@ def test_poem_is_found_out_or_told() -> None:
 
 
 @pytest.mark.parametrize(
-    "emoticon", [":-)", ";-)", ":-(", ">:-<", ":-o", ":-|", ":-?", ": - (", "; - )", ":- )", ":)", ":D"]
+    "emoticon",
+    [":-)", ";-)", ":-(", ">:-<", ":-o", ":-|", ":-?", ": - (", "; - )", ":- )", ":)", ":D", "<3", "</3", "<333"],
 )
 def test_emoticons_are_silent_and_end_nothing(emoticon: str) -> None:
     """A11: not spoken, no punctuation."""
@@ -104,6 +105,28 @@ def test_emoticons_are_silent_and_end_nothing(emoticon: str) -> None:
     script = read(f"Wait. {emoticon} Now? {emoticon}")
     assert [sentence.text for sentence in script.sentences] == ["Wait.", "Now?"]
     assert "".join(sentence.text + sentence.gap for sentence in script.sentences) == script.text
+
+
+@pytest.mark.parametrize(
+    "text", ["I <3 you", "I <3 <3 you", "i <3\nyou", "I, <3 you", "<3 I you", "I you <3. <3", "I you. <3 <3"]
+)
+def test_a_heart_is_no_number(text: str) -> None:
+    assert [word.text.lower() for word in words(text)] == ["i", "you"]
+
+
+@pytest.mark.parametrize(
+    ("text", "spoken"),
+    [
+        ("x < 3 metres", "X is less than three metres."),
+        ("5 <3.2", "Five is less than three point two."),
+        ("if x <3 then", "If x is less than three then."),
+        ("in <3 days", "In three days."),
+        ("so <3 % of it", "So three percent of it."),
+        ("so <3.5 or <35", "So three point five or thirty-five."),
+    ],
+)
+def test_what_only_looks_like_a_heart_is_mathematics(text: str, spoken: str) -> None:
+    assert " ".join(" ".join(word.spoken.text for word in words(text)).split()) == spoken
 
 
 def test_what_only_looks_like_an_emoticon_is_read() -> None:

@@ -16,7 +16,7 @@ from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import Reader, read
 
 WORDS = "Alice was he A b Dr. Smith e.g. etc. U.S. d.h. usw. 3. Mai 3rd $5.50 € 7:30 Uhr 10-15 50% 15°C km/h 5 km XIV."
-STRANGE = "FBI well-known snake_case :-) :-o x@y.org https://a.b/c & # + = 0 007 2½ ２ ﬁ 你好 。 ！ مرحبا ؟ 😀"
+STRANGE = "FBI well-known snake_case :-) :-o <3 <33 x@y.org https://a.b/c & # + = 0 007 2½ ２ ﬁ 你好 。 ！ مرحبا ؟ 😀"
 MARKS = "-- — ... … ! ? ?! . , ; : ( ) “ ” „ « » ' ’ _"
 PIECES = (
     *WORDS.split(),
