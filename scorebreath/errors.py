@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 
 class ScorebreathError(Exception):
@@ -84,6 +84,33 @@ class MissingExtraError(EnvironmentFailure):
     def __init__(self, what: str, extra: str) -> None:
         """Say what is missing and how to get it."""
         super().__init__(f"{what} is not installed: pip install 'scorebreath[{extra}]'")
+
+
+def did_you_mean(wanted: str, known: Iterable[str], most: int = 3) -> str:
+    """A tail for an error message that lists the closest names, or nothing.
+
+    >>> did_you_mean("formel", ["casual", "formal"])
+    '; did you mean formal?'
+    >>> did_you_mean("xyz", ["casual", "formal"])
+    ''
+    """
+    from difflib import get_close_matches
+
+    by_case = {name.lower(): name for name in known}
+    close = get_close_matches(wanted.lower(), by_case, n=most, cutoff=0.5)
+    if not close:
+        prefixed = sorted(name for name in by_case if wanted and name.startswith(wanted.lower()[:2]))
+        close = prefixed[:most]
+    return f"; did you mean {' or '.join(by_case[name] for name in close)}?" if close else ""
+
+
+def shortened(text: str, most: int = 12) -> str:
+    """The beginning of a long name or value, for a message.
+
+    >>> shortened("c0ffee" * 10), shortened("tone")
+    ('c0ffeec0ffee...', 'tone')
+    """
+    return text if len(text) <= most else f"{text[:most]}..."
 
 
 _EXCERPT = 100

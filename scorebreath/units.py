@@ -56,6 +56,17 @@ def semitones(hertz: float, reference: float) -> float:
     return 12.0 * math.log2(hertz / reference)
 
 
+def plain(value: float) -> str:
+    """A number as people write it: large ones with all their digits, none with a needless ".0".
+
+    >>> plain(16777216.0), plain(1234567.5), plain(0.25), plain(1e-6)
+    ('16777216', '1234567.5', '0.25', '1e-06')
+    """
+    if abs(value) < 1e6 or not math.isfinite(value):
+        return f"{value:g}"
+    return f"{value:.0f}" if float(value).is_integer() else repr(float(value))
+
+
 def frame_count(duration: float, rate: float) -> int:
     """Frames in `duration` seconds at `rate` per second, rounded to the nearest."""
     return math.floor(duration * rate + 0.5)

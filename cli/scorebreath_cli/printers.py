@@ -249,7 +249,9 @@ def _cell(value: object) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
-        return f"{value:g}"
+        from scorebreath.units import plain
+
+        return plain(value)
     if isinstance(value, (list, tuple)):
         return ", ".join(_cell(part) for part in value)
     return printable(str(value))

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
-from scorebreath.errors import InputError
+from scorebreath.errors import InputError, did_you_mean, shortened
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 DEFAULT_VOICE = "espeak"
 DEFAULT_MODEL = "natural"
 DEFAULT_LANGUAGE = "en"
+DEFAULT_ENGINE = "embedded"
 LEAD, TAIL = 0.5, 1.0
 """Silence before and after, s."""
 LONGEST_SILENCE = 60.0
@@ -100,10 +101,26 @@ def frame_rate(text: str) -> Fraction:
 
     if not _RATE.fullmatch(text):
         raise InputError(
-            f"--fps {text[:40]!r}: expected frames per second above 0 and at most {HIGHEST}, "
+            f"--fps {shortened(text, 40)!r}: expected frames per second above 0 and at most {HIGHEST}, "
             "such as 60, 29.97 or 30000/1001"
         )
     return check_rate(Fraction(text))
+
+
+def check_engine(name: str) -> None:
+    """Refuse an engine that does not exist, with the name that may be meant.
+
+    Raises:
+        InputError: There is no such engine.
+    """
+    if name == DEFAULT_ENGINE:
+        return
+    from scorebreath.engine.engines import ENGINES, engine_named
+
+    try:
+        engine_named(name)
+    except InputError as error:
+        raise InputError(f"{error}{did_you_mean(name.partition(':')[0], ENGINES)}") from None
 
 
 def seconds(name: str, value: float | None, default: float) -> float:

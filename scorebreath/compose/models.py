@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from scorebreath.compose import bernardet, natural
 from scorebreath.compose.state import BodyState, Spoken
-from scorebreath.errors import InputError
+from scorebreath.errors import InputError, did_you_mean
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.document import Person
 from scorebreath.score.events import Event
@@ -45,5 +45,5 @@ def breathing_model(name: str) -> BreathingModel:
         InputError: There is none.
     """
     if name not in MODELS:
-        raise InputError(f"no model is called {name!r} (there are {', '.join(MODELS)})")
+        raise InputError(f"no model is called {name!r} (there are {', '.join(MODELS)}){did_you_mean(name, MODELS)}")
     return MODELS[name]

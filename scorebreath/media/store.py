@@ -14,7 +14,7 @@ from typing import Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from scorebreath.errors import ScoreError
+from scorebreath.errors import ScoreError, shortened
 
 Kind = Literal["speech", "breath"]
 _NAME = re.compile(r"[0-9a-f]{64}\Z")
@@ -82,7 +82,7 @@ class MemoryStore:
         try:
             return self._media[name]
         except KeyError:
-            raise ScoreError(f"media {name[:12]!r} are not in the store") from None
+            raise ScoreError(f"media {shortened(name)!r} are not in the store") from None
 
     def frames(self, name: str) -> int:
         """Its length in frames."""
@@ -125,7 +125,7 @@ class FolderStore:
         path, kind = self._find(name)
         samples, rate = _read_wave(path)
         if name_of(samples) != name:
-            raise ScoreError(f"{path}: the samples are not those the score names ({name[:12]})")
+            raise ScoreError(f"{path}: the samples are not those the score names ({shortened(name)})")
         return Media(samples=samples, sample_rate=rate, kind=kind)
 
     def frames(self, name: str) -> int:
@@ -138,7 +138,7 @@ class FolderStore:
 
     def _find(self, name: str) -> tuple[Path, Kind]:
         if not _NAME.match(name):  # names come from files of others: never a path
-            raise ScoreError(f"media name {name[:80]!r} is not a SHA-256")
+            raise ScoreError(f"media name {shortened(name, 80)!r} is not a SHA-256")
         for kind in _KINDS:
             path = self.folder / self.path(name, kind)
             if path.is_file():

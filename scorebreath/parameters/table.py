@@ -13,6 +13,7 @@ from typing import Any, Literal, Self
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from scorebreath.errors import ParameterError
+from scorebreath.units import plain
 
 OSC_ROOT = "/scorebreath"
 Level = Literal["abstract", "low", "natural", "output"]
@@ -248,6 +249,6 @@ def _problem(name: str, value: object) -> str:
         return f"no parameter is called {name!r}" + (f"; did you mean {close[0]!r}?" if close else "")
     limits = bounds(name)
     if limits:
-        return f"{name}={value!r} must be a number in [{limits[0]:g}, {limits[1]:g}]"
+        return f"{name}={value!r} must be a number in [{plain(limits[0])}, {plain(limits[1])}]"
     choices = "'bare' or 'sentence'" if name == "period_marker" else "true or false"
     return f"{name}={value!r} must be {choices}"

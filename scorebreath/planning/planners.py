@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from types import MappingProxyType
 
-from scorebreath.errors import InputError
+from scorebreath.errors import InputError, did_you_mean
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning import bernardet_2017, bernardet_2019, natural
 from scorebreath.planning.bernardet_2017 import Bernardet2017
@@ -46,5 +46,5 @@ def open_planner(
     """
     factory = PLANNERS.get(model)
     if factory is None:
-        raise InputError(f"model={model!r} must be one of {', '.join(PLANNERS)}")
+        raise InputError(f"model={model!r} must be one of {', '.join(PLANNERS)}{did_you_mean(model, PLANNERS)}")
     return factory(parameters, language, count, poem)

@@ -15,7 +15,7 @@ from typing import Any, NoReturn, TypeVar
 
 from pydantic import TypeAdapter, ValidationError
 
-from scorebreath.errors import ScoreError
+from scorebreath.errors import ScoreError, shortened
 from scorebreath.score.document import SCHEMA, Body, Group, Score
 from scorebreath.score.events import EVENTS, Event, Unknown
 from scorebreath.score.values import per_class
@@ -102,7 +102,9 @@ def decode_event(item: Json, place: str = "event", file: str = "") -> Event:
         base = {key: value for key, value in item.items() if key in known}
         return _checked(Unknown, {**base, "kind": kind, "x": rest}, place, file)
     if not isinstance(kind, str) or kind not in EVENTS:
-        raise ScoreError(f"{_named(file)}{place}.type: {str(kind)[:40]!r} is not one of {', '.join(EVENTS)}, or x_...")
+        raise ScoreError(
+            f"{_named(file)}{place}.type: {shortened(str(kind), 40)!r} is not one of {', '.join(EVENTS)}, or x_..."
+        )
     return _validated(EVENTS[kind][0], {key: value for key, value in item.items() if key != "type"}, place, file)
 
 
@@ -154,7 +156,9 @@ def parse_json(data: bytes, file: str = "") -> Json:
         found = dict(pairs)
         if len(found) != len(pairs):
             keys = [key for key, _ in pairs]
-            raise ScoreError(f"{_named(file)}key {next(k for k in keys if keys.count(k) > 1)[:40]!r} stands twice")
+            raise ScoreError(
+                f"{_named(file)}key {shortened(next(k for k in keys if keys.count(k) > 1), 40)!r} stands twice"
+            )
         return found
 
     def constant(name: str) -> NoReturn:
@@ -195,9 +199,9 @@ def check_schema(found: Json, wanted: str, file: str = "") -> None:
         return
     name = wanted.rpartition("/")[0]
     if isinstance(found, str) and found.rpartition("/")[0] == name:
-        version = found.rpartition("/")[2][:20]
+        version = shortened(found.rpartition("/")[2], 20)
         raise ScoreError(f"{_named(file)}needs a scorebreath that reads {name}/{version}; this one reads {wanted}")
-    raise ScoreError(f"{_named(file)}schema {str(found)[:60]!r}: expected {wanted!r}")
+    raise ScoreError(f"{_named(file)}schema {shortened(str(found), 60)!r}: expected {wanted!r}")
 
 
 def _checked(kind: type[E], values: Mapping[str, Json], place: str, file: str) -> E:
@@ -225,7 +229,7 @@ def _refuse(error: ValidationError, place: str, file: str) -> NoReturn:
     path = "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in first["loc"])
     message = str(first["msg"]).removeprefix("Value error, ")
     given = first.get("input")
-    found = f", found {str(given)[:60]!r}" if isinstance(given, (str, int, float, bool)) else ""
+    found = f", found {shortened(str(given), 60)!r}" if isinstance(given, (str, int, float, bool)) else ""
     raise ScoreError(f"{_named(file)}{(place + path).lstrip('.')}: {message}{found}") from None
 
 

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal, TypeVar
 
 from pydantic import ConfigDict
 
-from scorebreath.errors import ScoreError
+from scorebreath.errors import ScoreError, shortened
 from scorebreath.score.events import Event, Extension, Part, Phrase, SentenceType, Utterance
 from scorebreath.score.values import FORWARD, SHARE, Gridded, Limits, Number, Whole, limits
 
@@ -155,7 +155,9 @@ class Score(Gridded):
             if event.group is not None and event.group not in groups:
                 raise ScoreError(f"event {event.id!r} names the group {event.group!r}, which the score does not have")
             if isinstance(event, Utterance) and event.media not in self.media:
-                raise ScoreError(f"event {event.id!r} names media {event.media[:12]!r}, which the score does not list")
+                raise ScoreError(
+                    f"event {event.id!r} names media {shortened(event.media)!r}, which the score does not list"
+                )
 
     def _sources(self) -> Iterator[tuple[str, tuple[int, int]]]:
         """Every range of the text that is named, and by whom."""

@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import Strict
 
 from scorebreath.errors import ScoreError
-from scorebreath.units import snap, snap_array
+from scorebreath.units import plain, snap, snap_array
 
 Number = Annotated[float, Strict()]
 """A number on the grid."""
@@ -23,6 +23,8 @@ Flag = Annotated[bool, Strict()]
 """True or false, nothing that merely looks like it."""
 
 LARGEST = 1e9
+WIDEST = (-LARGEST, LARGEST)
+"""Limits of a number that has no narrower ones."""
 Limits = Mapping[str, tuple[float, float]]
 
 
@@ -63,11 +65,11 @@ class Gridded:
                 value = float(value)
                 object.__setattr__(self, name, value)
             if not _on_grid(value):
-                raise ScoreError(f"{type(self).__name__}.{name}={value!r} must be a finite multiple of 1e-6 (not -0.0)")
+                raise ScoreError(f"{type(self).__name__}.{name}={value!r} must be {_expected(type(self), name, value)}")
         for name, (low, high) in limits_of(type(self)).items():
             value = getattr(self, name)
             if value is not None and not low <= value <= high:
-                raise ScoreError(f"{type(self).__name__}.{name}={value!r} must be in [{low:g}, {high:g}]")
+                raise ScoreError(f"{type(self).__name__}.{name}={value!r} must be {_within(low, high)}")
         for name in _series(type(self)):
             given = getattr(self, name)
             if any(type(value) is not float for value in given):
@@ -78,13 +80,26 @@ class Gridded:
                 and np.array_equal(snap_array(values), values)
                 and not np.any(np.signbit(values) & (values == 0))
             ):
-                raise ScoreError(f"{type(self).__name__}.{name} must hold finite multiples of 1e-6 (no -0.0)")
+                raise ScoreError(
+                    f"{type(self).__name__}.{name} must hold finite multiples of 1e-6 (no -0.0) {_within(*WIDEST)}"
+                )
 
 
 @per_class
 def limits_of(kind: Any) -> Mapping[str, tuple[float, float]]:
     """All limits of a class, its own and its bases'."""
     return {name: pair for base in reversed(kind.__mro__) for name, pair in vars(base).get("limits", {}).items()}
+
+
+def _expected(kind: Any, name: str, value: float) -> str:
+    """What a number that is refused should have been."""
+    if math.isfinite(value) and abs(value) > LARGEST:
+        return _within(*limits_of(kind).get(name, WIDEST))
+    return "a finite multiple of 1e-6 (not -0.0)"
+
+
+def _within(low: float, high: float) -> str:
+    return f"in [{plain(low)}, {plain(high)}]"
 
 
 def _on_grid(value: float) -> bool:

@@ -9,8 +9,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from scorebreath.errors import InputError, VoiceError
-from scorebreath.speech.names import did_you_mean
+from scorebreath.errors import InputError, VoiceError, did_you_mean
 
 if TYPE_CHECKING:
     from scorebreath.speech.model import Voice

@@ -94,12 +94,30 @@ WRONG: dict[str, list[str]] = {
 def test_wrong_options_are_refused_in_a_line_that_names_the_value(tmp_path: Path, name: str) -> None:
     (tmp_path / "in.txt").write_text("Hello.")
     result = run("render", tmp_path / "in.txt", "-o", tmp_path / "out", *WRONG[name])
-    assert result.exit_code in ((2, 3) if name in ("voice of no engine", "language") else (2,)), result.stderr
+    assert result.exit_code == 2, result.stderr
     said = WRONG[name][1].partition("=")[0]
     assert said in result.stderr
     assert "100000" in result.stderr or not name.startswith("fps")
     assert "Traceback" not in result.stderr
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "meant"),
+    [
+        (["--model", "nature"], "natural"),
+        (["--engine", "embeded"], "embedded"),
+        (["--engine", "scsyn"], "scsynth"),
+        (["--preset", "formel-tts"], "formal-tts"),
+        (["--voice", "espaek"], "espeak"),
+    ],
+)
+def test_a_name_that_is_nearly_right_gets_the_right_one(tmp_path: Path, options: list[str], meant: str) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    said = run("render", tmp_path / "in.txt", "-o", tmp_path / "out", *options).stderr
+    assert f"did you mean {meant}?" in said.replace("'", "")
+    if options[0] == "--model":
+        assert f"did you mean {meant}?" in run("explain", tmp_path / "in.txt", *options).stderr
 
 
 @pytest.mark.parametrize(

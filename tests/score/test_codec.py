@@ -79,7 +79,7 @@ EVENT: dict[str, Any] = {"type": "marker", "id": "e", "body": "body", "onset": 1
     [
         ({"onset": 0.1234567}, "multiple of 1e-6"),
         ({"onset": -0.0}, "multiple of 1e-6"),
-        ({"onset": 1e300}, "multiple of 1e-6"),
+        ({"onset": 1e300}, "in [0, 1000000000]"),
         ({"onset": "1.0"}, "onset"),
         ({"onset": True}, "onset"),
         ({"nmae": 1}, "nmae"),

@@ -13,7 +13,20 @@ from hypothesis import strategies as st
 from scorebreath.errors import ScoreError
 from scorebreath.score.codec import dumps, loads
 from scorebreath.score.document import Body, CutReason, Group, MediaInfo, Person, Score, VoiceInfo
-from scorebreath.score.events import EVENTS, Event, Lead, Level, Marker, Noise, Phone, Phrase, Pitch, Trapezoid, Word
+from scorebreath.score.events import (
+    EVENTS,
+    Event,
+    Lead,
+    Level,
+    Marker,
+    Noise,
+    Phone,
+    Phrase,
+    Pitch,
+    Trapezoid,
+    Utterance,
+    Word,
+)
 from scorebreath.score.values import limits_of
 
 from .strategies import event_of, of_type, scores
@@ -48,7 +61,7 @@ def test_what_is_named_must_exist(events: tuple[Marker, ...], said: str) -> None
         loads(json.dumps(plain).encode())
 
 
-PARTS = {Noise, Lead, Trapezoid, Word, Phone, Pitch, Level, Person, MediaInfo, VoiceInfo}
+PARTS = {Noise, Lead, Trapezoid, Utterance, Word, Phone, Pitch, Level, Person, MediaInfo, VoiceInfo}
 CLASSES = sorted({kind for kind, _ in EVENTS.values()} | PARTS, key=lambda kind: kind.__name__)
 
 
@@ -90,3 +103,23 @@ def test_events_are_found_by_type(score: Score) -> None:
     found = [event.id for kind, _ in EVENTS.values() for event in score.of(kind)]
     known = [event.id for event in score.events if event.type]
     assert sorted(found) == sorted(known)
+
+
+def test_a_number_out_of_range_names_the_range_in_full() -> None:
+    with pytest.raises(ScoreError, match=r"Score\.duration=1000000000000\.0 must be in \[0, 1000000000\]"):
+        dataclasses.replace(empty(), duration=1e12)
+    with pytest.raises(ScoreError, match=r"Trapezoid\.attack=.* must be a finite multiple"):
+        Trapezoid(attack=float("inf"), hold=0.0, release=0.0)
+    with pytest.raises(ScoreError, match=r"VoiceInfo\.reference_db=-1e\+100 must be in \[-1000000000, 1000000000\]"):
+        dataclasses.replace(empty().bodies[0].voice, reference_db=-1e100)
+    with pytest.raises(ScoreError, match=r"seed=0 must be in \[1, 16777215\]"):
+        Noise(onset=0.0, duration=0.0, attack=0.0, hold=0.0, release=0.0, level_db=-24.0, seed=0)
+
+
+def test_a_long_name_is_seen_to_be_cut() -> None:
+    utterance = Utterance(
+        id="u", body="body", onset=0.0, duration=0.2, media="ab" * 32, gain_db=0.0, closing="final", words=(),
+        phones=(), pitch=Pitch(step=0.01, hertz=()), level=Level(step=0.01, db=()),
+    )  # fmt: skip
+    with pytest.raises(ScoreError, match=r"names media 'abababababab\.\.\.', which"):
+        dataclasses.replace(empty(), events=(utterance,))

@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from scorebreath.errors import InputError, VoiceError
-from scorebreath.speech.names import did_you_mean
+from scorebreath.errors import InputError, VoiceError, did_you_mean
 from scorebreath.speech.voices import DEFAULT, ENGINES, list_voices, open_voice
 from tests.speech.speaking import check, request
 

@@ -50,6 +50,7 @@ def _rows(options: CompileOptions, names: list[str]) -> list[dict[str, Any]]:
     from scorebreath.errors import ParameterError
     from scorebreath.parameters.derive import derive
     from scorebreath.parameters.table import bounds, osc_address
+    from scorebreath.units import plain
 
     parameters = options.parameters()
     low = derive(parameters)
@@ -69,7 +70,7 @@ def _rows(options: CompileOptions, names: list[str]) -> list[dict[str, Any]]:
                 "value": getattr(low, name) if value is None else value,
                 "set_by": _set_by(options, parameters, name),
                 "unit": extra["unit"],
-                "range": f"{limits[0]:g}..{limits[1]:g}" if limits else _choices(field.annotation),
+                "range": f"{plain(limits[0])}..{plain(limits[1])}" if limits else _choices(field.annotation),
                 "default": "derived" if field.default is None else field.default,
                 "meaning": field.description,
                 "source": extra["source"],

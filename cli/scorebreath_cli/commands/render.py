@@ -9,7 +9,7 @@ import typer
 from scorebreath_cli import options as o
 from scorebreath_cli import printers
 from scorebreath_cli.failures import Status, reporting
-from scorebreath_cli.settings import CompileOptions
+from scorebreath_cli.settings import DEFAULT_ENGINE, CompileOptions, check_engine
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -39,7 +39,7 @@ def render(
     tail: o.Tail = None,
     breath_sound: o.BreathSound = None,
     breath_motion: o.BreathMotion = None,
-    engine: o.Engine = "embedded",
+    engine: o.Engine = DEFAULT_ENGINE,
     rate: o.Rate = 48000,
     fps: o.Fps = "60",
     force: o.Force = False,
@@ -66,6 +66,7 @@ def render(
         from scorebreath_cli.rendering import Renderer, SoundOptions
         from scorebreath_cli.streams import check_stdout
 
+        check_engine(engine)
         sound = SoundOptions(engine=engine, rate=rate, fps=fps)
         with Compiler(options, printer) as compiler:
             renderer = Renderer(compiler, sound, printer)

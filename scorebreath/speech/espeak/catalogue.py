@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from scorebreath.errors import InputError, VoiceError
-from scorebreath.speech.names import did_you_mean
+from scorebreath.errors import InputError, VoiceError, did_you_mean
 
 DEFAULTS = {"en": "en-us", "en-uk": "en-gb"}
 """Language of a script: which of the voices that call themselves so. Else the one with the best priority."""
