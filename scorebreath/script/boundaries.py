@@ -16,7 +16,8 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from scorebreath.script import emoticons
-from scorebreath.script.normalise.tables import tables
+from scorebreath.script.normalise.figures import has_figures
+from scorebreath.script.normalise.tables import Tables, tables
 
 END = re.compile(r"(?<![.!?Fe\"')_])[.!?Fe\"')_]++")
 """A run of marks and what closes behind them, in kinds; see `candidate`."""
@@ -117,7 +118,13 @@ def _stands(text: str, kinds: str, start: int, end: int, language: str) -> bool:
     goes_on = text[after].islower() or text[after].isdecimal()
     if goes_on and language == "de" and text[start - 1 : start].isdecimal():
         return text[after].isdecimal()
-    return not (goes_on and (word in table.abbreviation or word.endswith(table.suffixes)))
+    short = word in table.abbreviation or word.endswith(table.suffixes) or _measures(text, start, word, table)
+    return not (goes_on and short)
+
+
+def _measures(text: str, stop: int, word: str, table: Tables) -> bool:
+    """Whether the word before a full stop is a unit behind a number: "2 in. tall", but not "He was in. then"."""
+    return word in table.measures and has_figures(text[: stop - len(word)].rstrip()[-1:], table)
 
 
 def _missed(text: str, start: int, end: int, language: str) -> bool:

@@ -43,6 +43,12 @@ ENGLISH = [
     "A line that is\nbroken here.| And another\nhere.",
     "The end …| Or not.",
     "Take vitamin C.| It helps.",
+    "It is 2 in. tall, 3 ft. wide, weighs 5 lb. and 3 oz. or so.| Then we left.",
+    "It was in.| Then he left.",
+    "He came in.| then he left.",
+    "Wait a few min. longer, some 10 sec. or 2 hr. more.| The end came at 5 pm.| then we ate.",
+    "It is 6 ft. 2 in.| The rest is 2 hrs.| This is 5 yds. and 3 tbsp. of it.",
+    "Ring Tel. 5 or 7.| It took ½ in. off and 5.5 kg. more.",
     "So did J. I. Smith and A. The.",
 ]
 GERMAN = [
@@ -52,6 +58,8 @@ GERMAN = [
     "Wir treffen uns um 7.30 Uhr, d. h. früh.| Gut?",
     "Er wohnt in der Hauptstr. 5. Das Haus ist alt.",
     "Friedrich II. war König.| Im 18. Jh. starb er.",
+    "Es dauert 3 Std. und 5 Min. länger, ca. 3 Sek. mehr, 2 Stk. je 5 kg. schwer usw. und so.| Gut.",
+    "Siehe Nr. drei.| Nach 2 Std.| Dann kam er.",
     "Am 24.12. ist Weihnachten.| Am 1.1. ist es vorbei.",
     "»Halt!«, rief er.| »Wer da?«",
 ]

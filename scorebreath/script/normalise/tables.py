@@ -34,6 +34,8 @@ class Tables:
     """one, many, one and many of the small ones, what joins them"""
     unit: Mapping[str, tuple[str, ...]]
     """after a number: one, many"""
+    measures: frozenset[str]
+    """units of letters, in lower case and without a full stop; no times of day"""
     fraction: Mapping[str, tuple[str, ...]]
     """alone, after a whole number"""
     spelled: frozenset[str]
@@ -82,6 +84,8 @@ def tables(language: str) -> Tables:
         one=read.get("one", {}),
         currency={key: tuple(value) for key, value in read.get("currency", {}).items()},
         unit={key: tuple(value) for key, value in read.get("unit", {}).items()},
+        measures=frozenset(key.rstrip(".").lower() for key in read.get("unit", {}) if key.rstrip(".").isalpha())
+        - frozenset(settings.get("clock", ())),
         fraction={key: tuple(value) for key, value in read.get("fraction", {}).items()},
         spelled=frozenset(letters.get("spelled", ())),
         read=frozenset(letters.get("read", ())),
