@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
+from scorebreath_cli.printers import HumanPrinter, set_current
 from scorebreath_cli.streams import silence
 
 if TYPE_CHECKING:
@@ -100,6 +101,7 @@ def reporting(make_printer: Callable[[], Printer], *, debug: bool) -> Iterator[P
         typer.Exit: With a status other than 0.
     """
     printer = make_printer()
+    set_current(printer)
     try:
         try:
             yield printer
@@ -116,8 +118,6 @@ def reporting(make_printer: Callable[[], Printer], *, debug: bool) -> Iterator[P
 
 def _tell(printer: Printer, failure: Failure) -> None:
     """Even when nobody listens any more: what cannot be told on stdout is told on stderr."""
-    from scorebreath_cli.printers import HumanPrinter
-
     said = failure.status == Status.PIPE_CLOSED
     try:
         if not said:

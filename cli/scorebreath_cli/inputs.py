@@ -69,21 +69,29 @@ def read_source(given: str) -> Source:
 def load_score(source: Source) -> tuple[Score, MediaStore]:
     """The Score an input is, and where its media lie (for stdin, beside the working directory).
 
+    A Score that ends before its last event does is told to be cut.
+
     Raises:
         InputError: It is a script.
         ScoreError: It is broken.
     """
     from scorebreath.media.store import FolderStore
     from scorebreath.score import codec, files
+    from scorebreath.score.document import overrun
+    from scorebreath.units import plain
+    from scorebreath_cli import printers
 
     if source.kind == "script":
         raise InputError(
             f"{source.name}: is not a score (no JSON object with a schema key); `scorebreath compile` makes one"
         )
     if source.kind == "take" and source.path is not None:
-        return files.load(source.path)
-    folder = source.path.parent if source.path else Path()
-    return codec.loads(source.data, source.name), FolderStore(folder)
+        return files.load(source.path)  # as long as its last event
+    score = codec.loads(source.data, source.name)
+    if (beyond := overrun(score)) > 0:
+        said = f"events go on for {plain(beyond)} s after its duration of {plain(score.duration)} s; they are cut"
+        printers.current().note(f"{source.name}: {said}")
+    return score, FolderStore(source.path.parent if source.path else Path())
 
 
 def names_of(given: Sequence[str]) -> list[str]:

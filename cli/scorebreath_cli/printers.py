@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Mapping, Sequence
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, Protocol
 
 from scorebreath_cli.streams import stdout_is_shut
@@ -69,6 +70,19 @@ def make(json_lines: bool, source: str = "") -> Printer:
     return JsonPrinter(source) if json_lines else HumanPrinter()
 
 
+_current: ContextVar[Printer] = ContextVar("printer")
+
+
+def current() -> Printer:
+    """Who tells what happens in the command that runs."""
+    return _current.get(None) or HumanPrinter()
+
+
+def set_current(printer: Printer) -> None:
+    """From now on this one does."""
+    _current.set(printer)
+
+
 class JsonPrinter:
     """One event a line on stdout, each with its schema."""
 
@@ -94,8 +108,9 @@ class JsonPrinter:
         self._emit("written", source=self._source, path=path, bytes=size)
 
     def note(self, text: str) -> None:
-        """`note`."""
-        self._emit("note", text=text)
+        """`note`, and a line on stderr: whoever started the program may see it as well."""
+        self._emit("note", source=self._source, text=text)
+        HumanPrinter().note(text)
 
     def table(self, event: str, rows: Sequence[Row], columns: Sequence[str], below: Sequence[str] = ()) -> None:
         """One event a row."""

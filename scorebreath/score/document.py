@@ -11,6 +11,7 @@ from pydantic import ConfigDict
 from scorebreath.errors import ScoreError, shortened
 from scorebreath.score.events import Event, Extension, Part, Phrase, SentenceType, Utterance
 from scorebreath.score.values import FORWARD, SHARE, Gridded, Limits, Number, Whole, limits
+from scorebreath.units import snap
 
 SCHEMA = "scorebreath.score/1"
 E = TypeVar("E", bound=Event)
@@ -174,6 +175,11 @@ class Score(Gridded):
     def of(self, kind: type[E], body: str | None = None) -> Iterator[E]:
         """Events of one type, of one body or of all, in the Score's order."""
         return (e for e in self.events if isinstance(e, kind) and (body is None or e.body == body))
+
+
+def overrun(score: Score) -> float:
+    """How long events go on after the Score's duration, s: that much is not rendered; 0.0 where all is."""
+    return max(0.0, snap(max((event.end for event in score.events), default=0.0) - score.duration))
 
 
 def _unique(what: str, names: list[str]) -> None:

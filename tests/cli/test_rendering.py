@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import json
 import shutil
 import subprocess
@@ -14,6 +15,7 @@ import pytest
 from scorebreath.score.codec import dumps, loads
 from scorebreath.score.files import check_media, load
 from scorebreath.score.take import TakeWriter
+from scorebreath.units import snap
 from scorebreath_cli.app import COMMANDS
 from scorebreath_cli.outputs import SET_FILES
 from scorebreath_cli.printers import STAGES
@@ -267,3 +269,18 @@ def test_a_score_is_not_compiled_again(rendered: Path) -> None:
 def test_every_command_is_tried_here_or_among_those_that_show(root: Path) -> None:
     tests = "".join(path.read_text() for path in (root / "tests" / "cli").glob("test_*.py"))
     assert [name for name, *_ in COMMANDS if f'run("{name}"' not in tests and f'spawn("{name}"' not in tests] == []
+
+
+def test_a_score_that_ends_before_its_events_says_what_is_cut(script: Path, tmp_path: Path) -> None:
+    path = tmp_path / "score.json"
+    assert run("compile", script, "-o", path, "--voice", "tone", "--tail", "0").exit_code == 0
+    assert run("curves", path, "-o", tmp_path / "whole.csv").stderr == ""
+    score = load(path)[0]
+    path.write_bytes(dumps(dataclasses.replace(score, duration=snap(score.duration - 2.25))))
+    said = f"{path}: events go on for 2.25 s after its duration of {score.duration - 2.25:g} s; they are cut"
+    assert run("curves", path, "-o", tmp_path / "cut.csv").stderr == f"scorebreath: {said}\n"
+    result = run("render", path, "-o", tmp_path / "out", "--json")
+    assert (result.exit_code, result.stderr) == (0, f"scorebreath: {said}\n")
+    assert [(event["source"], event["text"]) for event in events(result.stdout) if event["event"] == "note"] == [
+        (str(path), said)
+    ]

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from scorebreath.errors import ScoreError
 from scorebreath.score.codec import dumps, loads
-from scorebreath.score.document import Body, CutReason, Group, MediaInfo, Person, Score, VoiceInfo
+from scorebreath.score.document import Body, CutReason, Group, MediaInfo, Person, Score, VoiceInfo, overrun
 from scorebreath.score.events import (
     EVENTS,
     Event,
@@ -123,3 +123,12 @@ def test_a_long_name_is_seen_to_be_cut() -> None:
     )  # fmt: skip
     with pytest.raises(ScoreError, match=r"names media 'abababababab\.\.\.', which"):
         dataclasses.replace(empty(), events=(utterance,))
+
+
+def test_what_lies_behind_the_end_is_known() -> None:
+    score = dataclasses.replace(empty(), duration=8.0)
+    assert overrun(score) == 0.0
+    for onset, duration, beyond in ((7.0, 1.0, 0.0), (7.5, 1.0, 0.5), (9.1, 1.2, 2.3), (0.1, 7.900001, 1e-6)):
+        late = dataclasses.replace(marker(onset=onset), duration=duration)
+        late_score = dataclasses.replace(score, events=(late, marker("b")))
+        assert overrun(late_score) == beyond
