@@ -23,7 +23,7 @@ SITES: dict[Edge, Site] = {
     "word": "word",
     "joint": "word",
 }
-"""What a cut after each edge is called: by what stands there, whichever rule chose it."""
+"""What a cut after each edge is called: by what stands there, whichever rule chose it; `text end` at the end of all."""
 
 MOST_CANDIDATES = 6
 """Candidates kept with a cut, best first."""
@@ -105,8 +105,15 @@ class Chunker(ABC):
             syllables=sum(unit.syllables for unit in units),
             sentence_type=units[-1].sentence_type,
             ends_sentence=units[-1].closes,
-            cut=replace(cut.reason, site="text end") if last else cut.reason,
+            cut=_ending(cut.reason, source.end) if last else cut.reason,
         )
+
+
+def _ending(reason: CutReason, end: int) -> CutReason:
+    """The reason for the last cut: whatever stands there, the text ends."""
+    site: Site = "text end"
+    candidates = (replace(one, site=site) if one.position == end else one for one in reason.candidates)
+    return replace(reason, site=site, candidates=tuple(candidates))
 
 
 def cut_at(

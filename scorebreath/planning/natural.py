@@ -116,12 +116,11 @@ class Natural(Chunker):
         ]
         places = sorted((place for place in costs if place[1] < inf), key=lambda p: (p[0] != end - start, p[1]))
         units = text[start:following]
-        site = boundaries[end].site
         syllables = sum(unit.syllables for unit in units[: end - start])
         return cut_at(
             units,
             places,
-            f"{NAME}: {site} after {syllables} syllables, {self.preferred:g} preferred, {self.most} at most; "
+            f"{NAME}: after {syllables} syllables, {self.preferred:g} preferred, {self.most} at most; "
             + _comparison(places),
             lambda count: boundaries[start + count].site,
         )

@@ -32,8 +32,13 @@ COMMA_CLAUSE = 0.37
 """The same at a comma before a word that opens a clause."""
 CLINGING = 0.0005
 """The same after a function word, which belongs to what follows: "the | house"."""
+SUSPENDED = CLINGING
+"""The same inside a pair of compounds that share a half: "pre- | and post-war", "Planung und | -bau"."""
 JOINED = 1e-9
 """The same inside a chain of joined words that is longer than a breath."""
+
+
+HYPHENS = ("-", "\N{HYPHEN}", "\N{NON-BREAKING HYPHEN}", "\N{EN DASH}")
 
 
 class Boundary(NamedTuple):
@@ -60,6 +65,8 @@ class FunctionWords:
     """pronouns that show a clause"""
     phrase: frozenset[str] = frozenset()
     """open a phrase: prepositions, articles, possessives"""
+    pairing: frozenset[str] = frozenset()
+    """stand between two compounds that share a half, with the coordinators"""
     clinging: frozenset[str] = frozenset()
     """others that are not parted from what follows: auxiliaries, negations"""
 
@@ -100,6 +107,8 @@ def boundary(units: Sequence[Unit], index: int, small: FunctionWords) -> Boundar
         return _boundary(site, READINESS[site])
     if site == "comma":
         return _boundary(site, COMMA_CLAUSE if _opens(units, index + 1, small) == "clause" else READINESS[site])
+    if _suspended(units, index, small):
+        return _boundary(site, SUSPENDED)
     if small.cling(_last(unit)):
         return _boundary(site, CLINGING)
     site = _opens(units, index + 1, small)
@@ -117,6 +126,18 @@ def _opens(units: Sequence[Unit], index: int, small: FunctionWords) -> Site:
     if word in small.before_subject:
         return "clause" if following and _first(following) in small.subjects else "phrase"
     return "phrase" if word in small.phrase else "word"
+
+
+def _suspended(units: Sequence[Unit], index: int, small: FunctionWords) -> bool:
+    """Whether a pair such as "pre- and post-war" or "Planung und -bau" goes on behind the unit at `index`."""
+    unit, joint = units[index], units[index + 1]
+    word = _first(joint)
+    if word not in small.coordinators and word not in small.pairing:
+        return False
+    if unit.written[unit.letters.end - unit.start :].startswith(HYPHENS):
+        return True
+    after = units[index + 2] if joint.edge == "word" and index + 2 < len(units) else None
+    return after is not None and after.written.startswith(HYPHENS) and after.letters.start == after.start + 1
 
 
 @cache

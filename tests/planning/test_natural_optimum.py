@@ -21,6 +21,7 @@ from scorebreath.planning.sites import (
     CLINGING,
     COMMA_CLAUSE,
     READINESS,
+    SUSPENDED,
     Boundary,
     FunctionWords,
     boundary,
@@ -29,6 +30,7 @@ from scorebreath.planning.sites import (
 from scorebreath.planning.syllables import vowel_counter
 from scorebreath.planning.units import Unit, UnitReader
 from scorebreath.score.document import Site
+from scorebreath.script.reader import read
 from tests.planning.written import sentences
 
 SITES: tuple[Site, ...] = ("sentence", "semicolon", "comma", "clause", "phrase", "word")
@@ -173,6 +175,41 @@ def test_german_clauses_open_too() -> None:
     found = units("Er lief weil es regnete")
     assert boundary(found, 1, function_words("de-AT")).site == "clause"
     assert boundary(found, 1, function_words("fr")).site == "word"
+
+
+@pytest.mark.parametrize(
+    ("text", "language", "before"),
+    [
+        ("die Planungs- und Bauphase beginnt", "de", "Planungs"),
+        ("die Bauplanung und -ausführung der Stadt", "de", "Bauplanung"),
+        ("die Haupt-, Mittel- oder Zwischensätze hier", "de", "Mittel"),
+        ("die Vor- bzw. Nachteile hier", "de", "Vor"),
+        ("zwei- bis dreimal so", "de", "zwei"),
+        ("Vor- & Nachteile hier", "de", "Vor"),
+        ("the pre- and post-war years", "en", "pre"),
+        ("a first\N{HYPHEN} to third-grade class", "en", "first"),
+        ("a mid\N{EN DASH} or long-term plan", "en", "mid"),
+    ],
+)
+def test_a_pair_of_compounds_that_share_a_half_is_not_parted(text: str, language: str, before: str) -> None:
+    """Neither before the word between them nor behind it."""
+    reader = UnitReader(vowel_counter, 44)
+    found = [unit for sentence in read(text, language=language).sentences for unit in reader.read(sentence)]
+    index = next(i for i, unit in enumerate(found) if unit.words[0].text == before)
+    for place in (index, index + 1):
+        actual = boundary(found, place, function_words(language))
+        assert actual.site == "word"
+        assert actual.breathing == pytest.approx(-log(SUSPENDED))
+    plain = text.replace("-", "").replace("\N{HYPHEN}", "").replace("\N{EN DASH}", "")
+    found = [unit for sentence in read(plain, language=language).sentences for unit in reader.read(sentence)]
+    bare = boundary(found, index, function_words(language))
+    assert bare.breathing < -log(SUSPENDED) or before.lower() in ("vor", "mittel")
+
+
+def test_a_dash_before_a_conjunction_is_no_shared_half() -> None:
+    reader = UnitReader(vowel_counter, 44)
+    found = [unit for one in read("He went home - and then slept").sentences for unit in reader.read(one)]
+    assert boundary(found, 2, function_words("en")).site == "semicolon"
 
 
 def test_every_table_of_function_words_is_sound() -> None:

@@ -97,6 +97,9 @@ def test_every_cut_has_its_reason(model: str, text: str, parameters: Parameters)
         shown = row.candidates[0].ending.split()
         assert shown == text[: group.source.end].split()[-len(shown) :] or shown == [text[: group.source.end][-24:]]
     assert [group.cut.site == "text end" for group in found] == [False] * (len(found) - 1) + [True]
+    for row, group in zip(rows, found, strict=True):
+        assert [shown.site for shown in row.candidates if shown.chosen] == [row.site]
+        assert all(other.site != "text end" for other in group.cut.candidates[1:])
 
 
 @pytest.mark.parametrize("model", PLANNERS)
