@@ -10,8 +10,10 @@ import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib import metadata
+from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
+import scorebreath
 from scorebreath.errors import EngineError, ScorebreathError, VoiceError
 
 if TYPE_CHECKING:
@@ -22,6 +24,8 @@ TEXT = "One."
 """What is spoken and rendered."""
 QUIETEST_DB = -60.0
 """A rendering whose peak is below this is silent."""
+_NOTHING = re.compile(r" \(Built from ''[^)]*\)")
+"""What a packaged scsynth says of its source where it knows none."""
 LEAST_FREE = 1 << 30
 """Bytes of disk for temporary files."""
 
@@ -72,10 +76,8 @@ def _libraries() -> Iterator[Check]:
     try:
         wanted = metadata.requires("scorebreath") or []
     except metadata.PackageNotFoundError:
-        yield Check(
-            kind="library", name="scorebreath", state="missing", what="runs from a checkout, not installed",
-            remedy="pip install -e .",
-        )  # fmt: skip
+        folder = Path(scorebreath.__file__).parents[1]
+        yield Check(kind="library", name="scorebreath", state="works", what=f"in {folder}, not installed")
         return
     yield Check(kind="library", name="scorebreath", state="works", what=metadata.version("scorebreath"))
     for line in wanted:
@@ -127,7 +129,7 @@ def _tried(
     kind: str, name: str, version: Callable[[], str], use: Callable[[], str], remedy: str, *, needed: bool
 ) -> Check:
     try:
-        found = version()
+        found = _NOTHING.sub("", version())
     except ScorebreathError as error:
         said = str(error).removesuffix(f": {remedy}")
         return Check(kind=kind, name=name, state="missing", what=said, remedy=remedy, needed=needed)

@@ -20,9 +20,10 @@ from scorebreath.parameters.presets import load_preset, names
 from scorebreath.parameters.table import Parameters
 from scorebreath.speech.voices import DEFAULT as DEFAULT_VOICE
 from scorebreath.speech.voices import list_voices
+from scorebreath_cli import checks
 from scorebreath_cli.app import COMMANDS
 from scorebreath_cli.printers import plain_table
-from tests.cli.running import ENVIRONMENT, PROGRAM, events, run, spawn
+from tests.cli.running import ENVIRONMENT, PROGRAM, ROOT, events, run, spawn
 
 
 def test_params_shows_every_parameter() -> None:
@@ -118,6 +119,27 @@ def test_the_doctor_says_how_to_get_what_is_missing(monkeypatch: pytest.MonkeyPa
     assert "/nowhere/scsynth" in state["scsynth"]["what"]
     assert result.exit_code == 3
     assert run("doctor").stderr == "scorebreath: needed but not working: embedded\n"
+
+
+def test_the_doctor_knows_a_checkout(monkeypatch: pytest.MonkeyPatch) -> None:
+    def nowhere(name: str) -> str:
+        raise metadata.PackageNotFoundError(name)
+
+    monkeypatch.setattr(metadata, "requires", nowhere)
+    monkeypatch.setattr(checks, "_engines", lambda: iter(()))
+    monkeypatch.setattr(checks, "_voices", lambda: iter(()))
+    result = run("doctor", "--json")
+    state = {check["name"]: check for check in events(result.stdout) if check["event"] == "check"}
+    assert (state["scorebreath"]["state"], state["scorebreath"]["what"]) == ("works", f"in {ROOT}, not installed")
+    assert result.exit_code == 0
+
+
+def test_the_doctor_leaves_out_what_says_nothing() -> None:
+    def check(said: str) -> str:
+        return checks._tried("engine", "scsynth", lambda: said, lambda: "rendered", "", needed=False).what
+
+    assert check("scsynth 3.13.0 (Built from '' [na])") == "scsynth 3.13.0; rendered"
+    assert check("scsynth 3.14.0 (Built from branch 'main' [c0ffee])").endswith("'main' [c0ffee]); rendered")
 
 
 def test_the_doctor_hears_silence(monkeypatch: pytest.MonkeyPatch) -> None:
