@@ -24,7 +24,7 @@ TEXT = "One."
 """What is spoken and rendered."""
 QUIETEST_DB = -60.0
 """A rendering whose peak is below this is silent."""
-_NOTHING = re.compile(r" \(Built from ''[^)]*\)")
+_NOTHING = re.compile(r"\s*\(Built from\s+''[^)]*\)")
 """What a packaged scsynth says of its source where it knows none."""
 LEAST_FREE = 1 << 30
 """Bytes of disk for temporary files."""

@@ -138,7 +138,7 @@ def test_the_doctor_leaves_out_what_says_nothing() -> None:
     def check(said: str) -> str:
         return checks._tried("engine", "scsynth", lambda: said, lambda: "rendered", "", needed=False).what
 
-    assert check("scsynth 3.13.0 (Built from '' [na])") == "scsynth 3.13.0; rendered"
+    assert check("scsynth 3.13.0 (Built from  '' [na])") == "scsynth 3.13.0; rendered"
     assert check("scsynth 3.14.0 (Built from branch 'main' [c0ffee])").endswith("'main' [c0ffee]); rendered")
 
 
