@@ -51,7 +51,7 @@ class Compiler:
             self._voice = open_voice(self.options.voice or DEFAULT_VOICE, self.options.language or DEFAULT_LANGUAGE)
         return self._voice
 
-    def compile(self, source: Source, media: MediaStore, meanwhile: Callable[[], None] = lambda: None) -> Score:
+    def compile(self, source: Source, media: MediaStore, meanwhile: Callable[[], object] = lambda: None) -> Score:
         """The Score of a script; its speech goes to `media`.
 
         Args:

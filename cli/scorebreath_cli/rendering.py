@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor, ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from threading import Event, Thread
+from threading import Event
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from scorebreath_cli.inputs import Source, load_score, read_source
@@ -67,9 +68,9 @@ class Renderer:
         refuse_existing(folder, SET_FILES, force=force, besides=besides)
         fps = self._begin(source)
         self._printer.started(source.name, str(folder))
-        with staged(folder, own=old_media) as part:
-            score, media = self._score(source, part)
-            self._write_set(score, media, part, fps)
+        with staged(folder, own=old_media) as part, ThreadPoolExecutor(1, thread_name_prefix="writer") as writer:
+            score, media = self._score(source, part, lambda: writer.submit(_imports, SOUND + PICTURE))
+            self._write_set(score, media, part, fps, writer)
         for name in sorted(SET_FILES):
             self._printer.written(str(folder / name), (folder / name).stat().st_size)
 
@@ -83,8 +84,8 @@ class Renderer:
 
         source = read_source(given)
         self._begin(source)
-        with TemporaryDirectory(prefix="scorebreath-") as folder:
-            score, media = self._score(source, Path(folder))
+        with TemporaryDirectory(prefix="scorebreath-") as folder, ThreadPoolExecutor(1) as helper:
+            score, media = self._score(source, Path(folder), lambda: helper.submit(_imports, SOUND))
             self._sound_of(score, media, sys.stdout.buffer)
 
     def _begin(self, source: Source) -> Fraction:
@@ -95,19 +96,14 @@ class Renderer:
             self._compiler.voice()
         return self._sound.check()
 
-    def _score(self, source: Source, part: Path) -> tuple[Score, MediaStore]:
+    def _score(self, source: Source, part: Path, meanwhile: Callable[[], object]) -> tuple[Score, MediaStore]:
         """The Score, compiled if it is not one already; its speech is in the store, on disk."""
         if source.compiled:
             return load_score(source)
         from scorebreath.media.store import FolderStore
 
         media = FolderStore(part)
-        imports = Thread(target=_imports, name="imports")
-        try:
-            return self._compiler.compile(source, media, imports.start), media
-        finally:
-            if imports.ident is not None:
-                imports.join()
+        return self._compiler.compile(source, media, meanwhile), media
 
     def _sound_of(
         self, score: Score, media: MediaStore, stream: BinaryIO, hear: Callable[[Any], None] | None = None
@@ -124,24 +120,23 @@ class Renderer:
             on_samples=hear,
         )
 
-    def _write_set(self, score: Score, media: MediaStore, part: Path, fps: Fraction) -> None:
+    def _write_set(self, score: Score, media: MediaStore, part: Path, fps: Fraction, writer: Executor) -> None:
         """Every file of the set: what needs no sound is made while the engine works in its own process."""
         from scorebreath.report.compact import CompactSound
         from scorebreath.report.preview import seconds_shown
         from scorebreath.score.files import with_media_paths
 
         silent = _Writers(with_media_paths(score), media, part, fps)
-        with ThreadPoolExecutor(1, thread_name_prefix="writer") as pool:
-            try:
-                page, others = pool.submit(silent.page), pool.submit(silent.write)
-                compact = CompactSound(self._sound.rate, seconds_shown(score))
-                with (part / "mix.wav").open("wb") as stream:
-                    self._sound_of(score, media, stream, compact.add)
-                with (part / "preview.html").open("wb") as stream:
-                    page.result().write(stream, compact)
-                others.result()
-            finally:
-                silent.stop()
+        try:
+            page, others = writer.submit(silent.page), writer.submit(silent.write)
+            compact = CompactSound(self._sound.rate, seconds_shown(score))
+            with (part / "mix.wav").open("wb") as stream:
+                self._sound_of(score, media, stream, compact.add)
+            with (part / "preview.html").open("wb") as stream:
+                page.result().write(stream, compact)
+            others.result()
+        finally:
+            silent.stop()
 
 
 class _Writers:
@@ -203,26 +198,21 @@ class _Writers:
             groups_csv.write(stream, self.score)
 
 
-HEAVY = (
-    "soundfile", "soxr", "supriya", "matplotlib.backends.backend_agg", "matplotlib.collections", "matplotlib.figure",
-    "matplotlib.font_manager",
+SOUND = (
+    "scorebreath.engine.offline", "soxr", "supriya",
 )  # fmt: skip
-"""What the rooms below import when they first need it, longest first to load: seconds that the voice needs as well."""
+PICTURE = (
+    "scorebreath.formats.curves_csv", "scorebreath.formats.curves_json", "scorebreath.formats.groups_csv",
+    "scorebreath.report.preview", "scorebreath.report.timeline", "scorebreath.score.files", "soundfile",
+    "matplotlib.backends.backend_agg", "matplotlib.collections", "matplotlib.figure", "matplotlib.font_manager",
+)  # fmt: skip
+"""What rendering imports when it first needs it: seconds in which the voice speaks, and then the engine works."""
 
 
-def _imports() -> None:
-    """Bring in what rendering needs while the voice speaks; everything that compiling needs is there before."""
+def _imports(names: Sequence[str]) -> None:
+    """Bring modules in, beside the voice."""
     import importlib
-    from contextlib import suppress
 
-    import scorebreath.engine.offline
-    import scorebreath.formats.curves_csv
-    import scorebreath.formats.curves_json
-    import scorebreath.formats.groups_csv
-    import scorebreath.report.preview
-    import scorebreath.report.timeline
-    import scorebreath.score.files  # noqa: F401
-
-    for name in HEAVY:
+    for name in names:
         with suppress(ImportError):  # told where it is needed
             importlib.import_module(name)
