@@ -10,13 +10,15 @@ second half. Blank lines and form feeds end everything.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from scorebreath.errors import ScriptError
 from scorebreath.script import emoticons
 from scorebreath.script.boundaries import END, candidate, certain, ends
 from scorebreath.script.decode import LIMIT, universal_newlines
+from scorebreath.script.dialogue import turns as turns_of
 from scorebreath.script.kinds import kinds as kinds_of
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.sentence import Ending, make_sentence
@@ -65,15 +67,17 @@ class Reader:
     Args:
         language: BCP 47; only the primary language counts.
         poem: Whether line ends are edges.
+        turns: Places of newlines that end a paragraph, ascending.
 
     Raises:
         ScriptError: `language` is no language tag.
     """
 
-    def __init__(self, *, language: str = "en", poem: bool = False) -> None:
+    def __init__(self, *, language: str = "en", poem: bool = False, turns: Sequence[int] = ()) -> None:
         """Start with an empty text."""
         self._language = primary(language)
         self._poem = poem
+        self._turns = turns
         self._text = self._kinds = self._carry = ""
         self._base = 0  # place of the buffer in the text
         self._at = 0  # what lies before is done with
@@ -119,8 +123,20 @@ class Reader:
             self._text, self._kinds = self._text[drop:], self._kinds[drop:]
             self._base += drop
             self._at -= drop
+        place = self._base + len(self._text)
         self._text += piece
-        self._kinds += kinds_of(piece)
+        self._kinds += self._apart(kinds_of(piece), place)
+
+    def _apart(self, kinds: str, start: int) -> str:
+        """Kinds of the text from `start` on, with a paragraph's end where a turn begins."""
+        first, last = bisect_left(self._turns, start), bisect_left(self._turns, start + len(kinds))
+        if first == last:
+            return kinds
+        pieces, at = [], 0
+        for turn in self._turns[first:last]:
+            pieces += [kinds[at : turn - start], "f"]
+            at = turn - start + 1
+        return "".join((*pieces, kinds[at:]))
 
     def _sentences(self) -> Iterator[Sentence]:
         """All that can be read now."""
@@ -232,7 +248,7 @@ class Reader:
         if raw is None:
             return
         gap = "".join(raw.gap)
-        apart = _BREAK.search(kinds_of(gap)) is not None
+        apart = _BREAK.search(self._apart(kinds_of(gap), raw.start + len(raw.text))) is not None
         edge: Ending | None = "paragraph" if apart or last else "sentence" if raw.complete else None
         sentence = make_sentence(
             raw.text,
@@ -273,7 +289,7 @@ def read(text: str, *, language: str = "en", poem: bool | None = None, file: str
         problem = f"half of a surrogate pair (U+{ord(match.group()):04X})"
         raise ScriptError(problem, expected="text", file=file, line=line, column=column)
     poem = is_verse(text) if poem is None else poem
-    reader = Reader(language=language, poem=poem)
+    reader = Reader(language=language, poem=poem, turns=turns_of(text))
     sentences = (*reader.feed(text), *reader.finish())
     if not sentences:
         found = "only punctuation and symbols" if text.strip() else "an empty text"
