@@ -36,6 +36,7 @@ def limits(**named: tuple[float, float]) -> Limits:
 FORWARD = (0.0, LARGEST)
 """Limits of a time or a length."""
 SHARE = (0.0, 1.0)
+_FLOATS = frozenset({float})
 T = TypeVar("T")
 
 
@@ -72,7 +73,7 @@ class Gridded:
                 raise ScoreError(f"{type(self).__name__}.{name}={value!r} must be {_within(low, high)}")
         for name in _series(type(self)):
             given = getattr(self, name)
-            if any(type(value) is not float for value in given):
+            if not _FLOATS.issuperset(map(type, given)):
                 object.__setattr__(self, name, tuple(float(value) for value in given))
             values = np.asarray(given, dtype=np.float64)
             if values.size and not (
@@ -103,7 +104,7 @@ def _within(low: float, high: float) -> str:
 
 
 def _on_grid(value: float) -> bool:
-    return abs(value) <= LARGEST and snap(value) == value and not (value == 0 and math.copysign(1.0, value) < 0)
+    return -LARGEST <= value <= LARGEST and snap(value) == value and (value != 0 or math.copysign(1.0, value) > 0)
 
 
 @per_class
