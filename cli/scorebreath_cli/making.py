@@ -25,6 +25,10 @@ if TYPE_CHECKING:
     from scorebreath.speech.model import Voice
 
 
+ANY_LANGUAGE = "mul"
+"""What a voice without a language of its own says it speaks (ISO 639-2)."""
+
+
 class Compiler:
     """Compiles every script of a run with one voice, opened when it is first needed and closed at the end."""
 
@@ -48,7 +52,10 @@ class Compiler:
         if self._voice is None:
             from scorebreath.speech.voices import open_voice
 
-            self._voice = open_voice(self.options.voice or DEFAULT_VOICE, self.options.language or DEFAULT_LANGUAGE)
+            language = self.options.language or DEFAULT_LANGUAGE
+            self._voice = open_voice(self.options.voice or DEFAULT_VOICE, language)
+            if said := _without_region(language, self._voice):
+                self._printer.note(said)
         return self._voice
 
     def compile(self, source: Source, media: MediaStore, meanwhile: Callable[[], object] = lambda: None) -> Score:
@@ -97,3 +104,18 @@ class Compiler:
         """End the voice's process."""
         if self._voice is not None:
             self._voice.close()
+
+
+def _without_region(language: str, voice: Voice) -> str:
+    """What to say where a region is asked for that the voice does not have; nothing where all is as it should be.
+
+    `de-DE`, the region that is called as its language, is taken as `de` without a word.
+    """
+    tag = language.lower().replace("_", "-")
+    primary, _, rest = tag.partition("-")
+    if rest in ("", primary):
+        return ""
+    details = voice.details
+    if tag in (known.lower() for known in details.languages) or ANY_LANGUAGE in details.languages:
+        return ""
+    return f"language {language}: {details.voice} has nothing of its own for it; the text is read as {primary}"

@@ -31,6 +31,10 @@ STAGES = {"speak": "Speaking", "sound": "Rendering"}
 """Stages of a long command, in their order, and what people are told."""
 
 
+WIDEST = 32
+"""Characters to which a column of a plain table is padded, at most."""
+
+
 class Printer(Protocol):
     """Tells what happens."""
 
@@ -238,15 +242,26 @@ class HumanPrinter:
 
 
 def plain_table(rows: Sequence[Row], columns: Sequence[str]) -> list[str]:
-    """Aligned columns, one line a row, a header first.
+    """Aligned columns, one line a row, a header first; none is padded to more than `WIDEST`.
+
+    A longer cell is shown whole, and what follows it in its line begins later.
 
     >>> plain_table([{"name": "a", "value": 1.5}, {"name": "bcd", "value": None}], ["name", "value"])
     ['name  value', 'a     1.5', 'bcd']
     """
     cells = [[column.replace("_", " ") for column in columns]]
     cells += [[" ".join(_cell(row.get(column)).split()) for column in columns] for row in rows]
-    widths = [max(len(line[n]) for line in cells) for n in range(len(columns))]
-    return ["  ".join(f"{text:{width}}" for text, width in zip(line, widths, strict=True)).rstrip() for line in cells]
+    widths = [min(WIDEST, max(len(line[n]) for line in cells)) for n in range(len(columns))]
+    return [_line(line, widths) for line in cells]
+
+
+def _line(cells: Sequence[str], widths: Sequence[int]) -> str:
+    said, start = "", 0
+    for cell, width in zip(cells, widths, strict=True):
+        if cell:
+            said = (f"{said}  " if said else "").ljust(start) + cell
+        start += width + 2
+    return said
 
 
 def printable(text: str) -> str:

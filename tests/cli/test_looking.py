@@ -280,6 +280,18 @@ def test_a_full_disk_is_the_environments() -> None:
     assert (result.returncode, result.stderr) == (3, b"scorebreath: <stdout>: No space left on device\n")
 
 
+def test_a_plain_table_is_no_wider_than_what_it_says() -> None:
+    long = "x" * 40
+    rows: list[dict[str, object]] = [{"a": long, "b": 1, "c": "end"}, {"a": "short", "b": None, "c": "end"}]
+    assert plain_table(rows, ["a", "b", "c"]) == [
+        f"a{' ' * 33}b  c", f"{long}  1  end", f"short{' ' * 32}end",
+    ]  # fmt: skip
+    for command in ("params", "voices"):
+        header, *lines = run(command).stdout.splitlines()
+        assert len(lines) == len(events(run(command, "--json").stdout))
+        assert all("  " * 40 not in line and line == line.rstrip() for line in (header, *lines))
+
+
 def test_a_plain_table_is_one_line_a_row() -> None:
     rows = [{"a": "x\ny", "b": True}, {"a": "longer", "b": 0.1}]
     assert plain_table(rows, ["a", "b"]) == ["a       b", "x y     yes", "longer  0.1"]

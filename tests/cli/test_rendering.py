@@ -271,6 +271,23 @@ def test_every_command_is_tried_here_or_among_those_that_show(root: Path) -> Non
     assert [name for name, *_ in COMMANDS if f'run("{name}"' not in tests and f'spawn("{name}"' not in tests] == []
 
 
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--language", "de-AT"], "language de-AT: espeak:de has nothing of its own for it; the text is read as de"),
+        (["--language", "en_AU"], "language en_AU: espeak:en-us has nothing of its own for it; the text is read as en"),
+        (["--language", "de"], ""),
+        (["--language", "de-DE"], ""),
+        (["--language", "en-GB"], ""),
+        (["--language", "de-AT", "--voice", "tone"], ""),
+    ],
+)
+def test_a_region_that_is_not_there_is_said_to_be_left_out(tmp_path: Path, options: list[str], said: str) -> None:
+    (tmp_path / "in.txt").write_text("So.")
+    result = run("compile", tmp_path / "in.txt", "-o", tmp_path / "score.json", *options)
+    assert (result.exit_code, result.stderr) == (0, f"scorebreath: {said}\n" if said else "")
+
+
 def test_a_score_that_ends_before_its_events_says_what_is_cut(script: Path, tmp_path: Path) -> None:
     path = tmp_path / "score.json"
     assert run("compile", script, "-o", path, "--voice", "tone", "--tail", "0").exit_code == 0
