@@ -6,6 +6,8 @@ import os
 import re
 import shutil
 import signal
+import stat
+import sys
 import tempfile
 import threading
 from abc import ABC, abstractmethod
@@ -57,19 +59,31 @@ def refuse_own_input(given: str, outputs: Iterable[Path]) -> None:
     """Say early that an output would stand where the input does, under whatever name; --force does not mean that.
 
     Args:
-        given: The input as given: a file, the folder of a take, or stdin.
+        given: The input as given: a file, the folder of a take, or stdin, which may be a file as well (`< FILE`).
         outputs: Every file that would be replaced.
 
     Raises:
         InputError: Names the output.
     """
-    path = Path(given)
-    if given == STANDARD or not path.exists():
-        return
-    files = [one for one in (path, path / TAKE) if one.is_file()]
+    inputs = [_stdin()] if given == STANDARD else [_regular(Path(given)), _regular(Path(given) / TAKE)]
     for output in outputs:
-        if output.exists() and any(output.samefile(one) for one in files):
+        found = _regular(output)
+        if found and any(one and os.path.samestat(found, one) for one in inputs):
             raise InputError(f"{output}: would replace its own input; expected another place for the output")
+
+
+def _regular(path: Path) -> os.stat_result | None:
+    """What a path leads to, if that is a file."""
+    return path.stat() if path.is_file() else None
+
+
+def _stdin() -> os.stat_result | None:
+    """The file that is stdin, if it is one."""
+    try:
+        found = os.fstat(sys.stdin.fileno())
+    except (OSError, ValueError):  # closed, or not a descriptor at all
+        return None
+    return found if stat.S_ISREG(found.st_mode) else None
 
 
 class _Staging(ABC):

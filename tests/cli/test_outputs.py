@@ -20,7 +20,7 @@ from scorebreath_cli.outputs import (
     staged_file,
     uninterrupted,
 )
-from tests.cli.running import run
+from tests.cli.running import run, spawn
 
 SOUND = "speech/" + "ab" * 32 + ".wav"
 OTHER = "speech/" + "cd" * 32 + ".wav"
@@ -174,6 +174,19 @@ def test_an_output_never_replaces_its_own_input(tmp_path: Path) -> None:
     result = run("render", tmp_path / "curves.json", "-o", tmp_path, "--force")
     assert (result.exit_code, "would replace its own input" in result.stderr) == (2, True)
     assert tree(tmp_path) == {**before, "curves.json": before["score.json"]}
+
+
+def test_an_output_never_replaces_the_file_that_is_stdin(tmp_path: Path) -> None:
+    script = tmp_path / "s.txt"
+    script.write_text("Hello there.")
+    (tmp_path / "mix.wav").hardlink_to(script)
+    for command, output in (("compile", script), ("compile", tmp_path / "mix.wav"), ("render", tmp_path)):
+        with script.open("rb") as stream:
+            result = spawn(command, "-", "-o", output, "--force", "--voice", "tone", stdin=stream)
+        assert (result.returncode, b"would replace its own input" in result.stderr) == (2, True), result.stderr
+    assert tree(tmp_path) == {"s.txt": b"Hello there.", "mix.wav": b"Hello there."}
+    with script.open("rb") as stream:
+        assert spawn("compile", "-", "-o", tmp_path / "s.json", "--voice", "tone", stdin=stream).returncode == 0
 
 
 def test_a_take_is_not_replaced_by_its_curves(tmp_path: Path) -> None:
