@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Annotated, Any, cast
 
 import typer
 from typer.core import TyperGroup
 
+from scorebreath_cli import printers
 from scorebreath_cli.commands.compile import compile_
 from scorebreath_cli.commands.curves import curves
 from scorebreath_cli.commands.doctor import doctor
@@ -18,8 +20,7 @@ from scorebreath_cli.commands.presets import presets
 from scorebreath_cli.commands.render import render
 from scorebreath_cli.commands.schema import schema
 from scorebreath_cli.commands.voices import voices
-from scorebreath_cli.failures import Failure, Status, failure_of
-from scorebreath_cli.printers import HumanPrinter
+from scorebreath_cli.failures import Failure, Status, failure_of, tell
 from scorebreath_cli.streams import silence
 
 MAKE, LOOK = "Make", "Look"
@@ -72,17 +73,21 @@ _Complaint = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[2])
 
 
 class _Commands(TyperGroup):
-    """Tells bad usage as every other error is told: in one line."""
+    """Tells bad usage as every other error is told: in one line, as JSON where `--json` is given."""
 
-    def main(self, *args: Any, standalone_mode: bool = True, **extra: Any) -> Any:
+    def main(
+        self, args: Sequence[str] | None = None, prog_name: str | None = None, *more: Any,
+        standalone_mode: bool = True, **extra: Any,
+    ) -> Any:  # fmt: skip
         """Run a command line; always ends in SystemExit unless `standalone_mode` is off."""
+        words = sys.argv[1:] if args is None else list(args)
         try:
-            status = super().main(*args, **{**extra, "standalone_mode": False})
+            status = super().main(args, prog_name, *more, **{**extra, "standalone_mode": False})
         except _Complaint as error:
             if not standalone_mode:
                 raise
             if type(error).__name__ != "NoArgsIsHelpError":  # has shown the help already
-                _complain(error)
+                _complain(error, json_lines="--json" in itertools.takewhile(lambda word: word != "--", words))
             sys.exit(Status.INPUT)
         except typer.Abort:
             if not standalone_mode:
@@ -106,11 +111,11 @@ def _unheard(error: OSError) -> Status:
     return failure.status
 
 
-def _complain(error: typer.BadParameter) -> None:
+def _complain(error: typer.BadParameter, *, json_lines: bool) -> None:
     said = " ".join(error.format_message().split()).rstrip(".")
     command = error.ctx.command_path if error.ctx else "scorebreath"
     message = f"{said[:1].lower()}{said[1:]}; try `{command} --help`"
-    HumanPrinter().failed(Failure(status=Status.INPUT, kind=type(error).__name__, message=message))
+    tell(printers.make(json_lines), Failure(status=Status.INPUT, kind=type(error).__name__, message=message))
 
 
 app = typer.Typer(

@@ -112,11 +112,11 @@ def reporting(make_printer: Callable[[], Printer], *, debug: bool) -> Iterator[P
         if isinstance(error, typer.Exit):
             raise
         failure = failure_of(error, debug=debug)
-        _tell(printer, failure)
+        tell(printer, failure)
         raise typer.Exit(failure.status) from None
 
 
-def _tell(printer: Printer, failure: Failure) -> None:
+def tell(printer: Printer, failure: Failure) -> None:
     """Even when nobody listens any more: what cannot be told on stdout is told on stderr."""
     said = failure.status == Status.PIPE_CLOSED
     try:

@@ -195,6 +195,21 @@ def test_bad_usage_is_status_2(wrong: str) -> None:
     assert "; try `scorebreath" in line
 
 
+@pytest.mark.parametrize("wrong", ["rendr --json", "render --json --colour x", "explain --json", "params --json --set"])
+def test_bad_usage_of_a_program_is_told_to_the_program(wrong: str) -> None:
+    result = spawn(*wrong.split())
+    assert (result.returncode, result.stderr) == (2, b"")
+    (told,) = events(result.stdout)
+    assert (told["event"], told["status"]) == ("error", 2)
+    assert "; try `scorebreath" in told["message"]
+
+
+def test_what_follows_two_dashes_is_no_option() -> None:
+    result = run("render", "--colour", "--", "--json")
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert result.stderr.startswith("scorebreath: no such option: --colour")
+
+
 def test_bad_usage_names_what_is_wrong() -> None:
     result = run("render", "--colour\x1b[31m", "x")
     assert result.exit_code == 2
