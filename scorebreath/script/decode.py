@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from scorebreath.errors import ScriptError
 
 LIMIT = 64 * 1024 * 1024
@@ -9,11 +11,19 @@ LIMIT = 64 * 1024 * 1024
 
 _OTHER_ENCODINGS = ((b"\xff\xfe", "UTF-16"), (b"\xfe\xff", "UTF-16"))
 
+_TERMINAL = re.compile(
+    r"(?:\x1b\[[0-?]*|\x9b[0-?]+)[@-~]"
+    r"|(?:\x1b\]|\x9d)[^\x00-\x1f\x80-\x9f]*(?:\x07|\x1b\\|\x9c)"
+    r"|\x1b[()][0-9A-Z]"
+)
+"""Sequences of ECMA-48 as they get into files: control sequences (CSI), titles and links (OSC), character sets."""
+
 
 def decode(data: bytes, file: str = "") -> str:
     """Text of a UTF-8 file: without byte order mark, lines ended by a single newline.
 
-    Control characters other than NUL are kept, and read as spaces later; a form feed is read as a new paragraph.
+    What was meant for a terminal (colours, titles) is left out whole. Other control characters than NUL are kept, and
+    read as spaces later; a form feed is read as a new paragraph.
 
     Args:
         data: The whole file.
@@ -36,7 +46,7 @@ def decode(data: bytes, file: str = "") -> str:
         raise _at(data, error.start, found, "UTF-8 text", file) from None
     if (place := data.find(b"\0")) >= 0:
         raise _at(data, place, "NUL character", "text, not a binary file", file)
-    return universal_newlines(text.removeprefix("\ufeff"))
+    return universal_newlines(_TERMINAL.sub("", text.removeprefix("\ufeff")))
 
 
 def universal_newlines(text: str) -> str:

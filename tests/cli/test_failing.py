@@ -399,6 +399,14 @@ def test_no_control_reaches_the_terminal(tmp_path: Path) -> None:
     assert events(as_json.stdout)[0]["message"].endswith(f"missing{CONTROL}: no such file")
 
 
+def test_colours_in_a_script_are_neither_shown_nor_counted(tmp_path: Path) -> None:
+    (tmp_path / "plain.txt").write_text("Hello red world.")
+    (tmp_path / "coloured.txt").write_text("Hello \x1b[31mred\x1b[0m world.")
+    for form in ([], ["--json"]):
+        plain, coloured = (run("explain", tmp_path / f"{name}.txt", *form) for name in ("plain", "coloured"))
+        assert plain.stdout == coloured.stdout != ""
+
+
 def test_an_error_event_names_its_input(tmp_path: Path) -> None:
     for command in (["render", "-o", tmp_path / "out"], ["compile"], ["explain"], ["curves"]):
         given = [*command, "-o", tmp_path / "x.json"] if command[0] in ("compile", "curves") else command

@@ -63,3 +63,22 @@ def test_any_bytes_are_text_or_a_script_error(data: bytes) -> None:
 @given(st.text(alphabet=st.characters(exclude_characters="\0\r\ufeff", codec="utf-8")))
 def test_text_comes_back(text: str) -> None:
     assert decode(text.encode()) == text
+
+
+@pytest.mark.parametrize(
+    ("written", "read"),
+    [
+        ("Hello \x1b[31mred\x1b[0m world.", "Hello red world."),
+        ("\x1b[1;38;5;196mBold\x1b[m, \x9b4mdrawn\x9b0m.", "Bold, drawn."),
+        ("\x1b]0;a title\x07One \x1b]8;;https://x.org\x1b\\link\x1b]8;;\x1b\\.\x1b(B", "One link."),
+        ("An \x1b escape, \x1b]unfinished\nand \x1b[31", "An \x1b escape, \x1b]unfinished\nand \x1b[31"),
+        ("[31m] stays, \x9bas does this", "[31m] stays, \x9bas does this"),
+    ],
+)
+def test_what_was_meant_for_a_terminal_is_left_out_whole(written: str, read: str) -> None:
+    assert decode(written.encode()) == read
+
+
+def test_terminal_sequences_without_end_cost_no_time() -> None:
+    for sign in ("\x1b[3", "\x1b]", "\x9d", "\x9b1"):
+        assert decode((sign * 100_000).encode()) == sign * 100_000
