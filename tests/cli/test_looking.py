@@ -101,6 +101,7 @@ def test_the_doctor_tries_everything() -> None:
     state = {(check["kind"], check["name"]): check["state"] for check in told}
     assert {name for kind, name in state if kind == "engine"} == set(ENGINES)
     assert {name for kind, name in state if kind == "voice"} == {voice.name for voice in list_voices()}
+    assert {event["event"] for event in events(result.stdout)} == {"check", "done"}
     assert state["engine", DEFAULT_ENGINE] == state["voice", DEFAULT_VOICE] == "works"
     assert result.exit_code == 0
     assert events(result.stdout)[-1] == {"schema": "scorebreath.event/1", "event": "done", "status": 0, "broken": []}

@@ -22,10 +22,7 @@ def doctor(json_lines: o.Json = False, debug: o.Debug = False) -> None:
 
         from scorebreath_cli.checks import checks
 
-        found = []
-        for check in checks():
-            found.append(check)
-            printer.progress(check.name, 1.0)
+        found = list(checks())
         rows = [asdict(check) for check in found]
         printer.table("check", rows, COLUMNS, BELOW)
         broken = [check.name for check in found if check.needed and check.state != "works"]
