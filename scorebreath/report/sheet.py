@@ -72,18 +72,18 @@ class Sheet:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.collections import LineCollection, PolyCollection
         from matplotlib.figure import Figure
+        from matplotlib.transforms import Affine2D
         from PIL import Image
 
         figure = Figure(figsize=(self.width / DPI, self.height / DPI), dpi=DPI, facecolor=self.paper)
-        axes = figure.add_axes((0, 0, 1, 1), xlim=(0, self.width), ylim=(self.height, 0), autoscale_on=False)
-        axes.set_axis_off()
-        point = 72 / DPI
+        down = Affine2D().scale(1, -1).translate(0, self.height)
         for (layer, color), polygons in self._areas.items():
-            axes.add_collection(PolyCollection(polygons, facecolor=color, linewidth=0, zorder=2 * layer), autolim=False)
+            look: dict[str, Any] = {"facecolor": color, "linewidth": 0, "zorder": 2 * layer}
+            figure.add_artist(PolyCollection(polygons, transform=down, **look))
         for (layer, color, width, dashes), lines in self._lines.items():
             style = (0, dashes) if dashes else "solid"
-            stroke = {"linewidth": width * point, "linestyle": style, "joinstyle": "round", "capstyle": "butt"}
-            axes.add_collection(LineCollection(lines, color=color, zorder=2 * layer + 1, **stroke), autolim=False)
+            look = {"color": color, "linewidth": width * 72 / DPI, "linestyle": style, "zorder": 2 * layer + 1}
+            figure.add_artist(LineCollection(lines, transform=down, joinstyle="round", capstyle="butt", **look))
         canvas: Any = FigureCanvasAgg(figure)
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", message=".*Glyph .* missing from")  # no font has every script
@@ -91,6 +91,7 @@ class Sheet:
             self._write(canvas.get_renderer())
         image = Image.frombuffer("RGBA", (self.width, self.height), canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
         image.convert("RGB").save(stream, "png", compress_level=COMPRESSION)
+        canvas.renderer = None  # figures refer to themselves, and the collector would be late for 40 MB
 
     def _write(self, renderer: Any) -> None:
         """All texts, straight into the picture: matplotlib's own Text measures each several times first."""
