@@ -10,7 +10,7 @@ import sys
 from types import FrameType
 from typing import NoReturn
 
-COLLECTIONS = (100_000, 20, 100)
+COLLECTIONS = (500_000, 20, 100)
 """Thresholds of the garbage collector: a Score of an hour is a million objects and none of them garbage, so looking
 through them all again and again only takes time that grows faster than they do."""
 
