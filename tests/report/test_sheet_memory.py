@@ -19,7 +19,7 @@ def test_the_pixels_of_a_picture_go_with_it(monkeypatch: pytest.MonkeyPatch) -> 
 
     class Watched(backend_agg.RendererAgg):
         def __init__(self, *arguments: Any) -> None:
-            super().__init__(*arguments)
+            super().__init__(*arguments)  # type: ignore[no-untyped-call]
             renderers.append(weakref.ref(self))
 
     monkeypatch.setattr(backend_agg, "RendererAgg", Watched)
