@@ -6,6 +6,7 @@ import html as markup
 import json
 import re
 import subprocess
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,7 @@ import pytest
 from scorebreath.curves.curve_set import curves
 from scorebreath.report import preview
 from scorebreath.score.document import Score
-from scorebreath.score.events import Inspiration
+from scorebreath.score.events import Inspiration, Utterance
 from tests.curves.scores import Breath, build
 from tests.report.test_preview import HOSTILE, page
 
@@ -24,8 +25,8 @@ QUIET = (
 )  # fmt: skip
 
 
-def dump(chromium: str, folder: Path, file: Path, time: float) -> str:
-    command = [chromium, *QUIET, f"--user-data-dir={folder / 'profile'}", f"{file.as_uri()}#t={time}"]
+def dump(chromium: str, folder: Path, file: Path, time: float, *more: str) -> str:
+    command = [chromium, *QUIET, *more, f"--user-data-dir={folder / 'profile'}", f"{file.as_uri()}#t={time}"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
     return done.stdout
 
@@ -105,3 +106,53 @@ def test_the_transcript_follows_also_where_nothing_is_said(chromium: str, tmp_pa
         assert not marked, "a time within a word would show nothing new"
         assert seen
         assert (scrolled > 100) == (count > 0)
+
+
+SEEN = """<script>{
+const pen = document.createElement("canvas").getContext("2d"), told = [];
+pen.font = FONT;
+for (const t of %s) {
+  window.scorebreath.pose(t);
+  const {shown, seconds, first, count} = window.scorebreath.labels();
+  for (const label of shown) label.width = pen.measureText(label.text).width;
+  told.push({t, first, seconds, count, shown});
+}
+const strip = document.getElementById("strip"), box = id => document.getElementById(id).getBoundingClientRect();
+document.body.dataset.told = JSON.stringify({told, frame: box("frame").height, stage: box("stage").bottom,
+  strip: [box("strip").top, strip.clientWidth, strip.clientHeight], page: document.documentElement.scrollHeight,
+  wide: document.documentElement.scrollWidth - innerWidth, window: innerHeight, player: box("player").bottom});
+}</script>"""
+
+
+@pytest.mark.parametrize("size", [(780, 437), (600, 300), (390, 844), (1280, 800)])
+def test_a_small_window_scrolls_and_drops_no_word(chromium: str, tmp_path: Path, size: tuple[int, int]) -> None:
+    """The figure keeps its height, the player stays in sight, and every word of the strip has a label of its own."""
+    score = build([Breath(speech=speech) for speech in (3.5, 2.0, 3.5, 3.0)])
+    times = [score.duration * i / 23 for i in range(24)]
+    file = tmp_path / "preview.html"
+    file.write_text(page(score) + SEEN % times, encoding="utf-8")
+    found = re.search(r'data-told="([^"]*)"', dump(chromium, tmp_path, file, 0.0, f"--window-size={size[0]},{size[1]}"))
+    assert found
+    seen = json.loads(markup.unescape(found[1]))
+    assert seen["frame"] >= 200
+    assert seen["wide"] <= 0
+    assert seen["stage"] <= seen["strip"][0], "the figure's card lies on the strip"
+    assert seen["player"] <= seen["window"] + 1
+    assert seen["page"] >= seen["strip"][0] + seen["strip"][2]
+    words = [(u.onset, word) for u in score.of(Utterance, "body") for word in u.words]
+    spoken = [(onset + word.onset, slice(*word.source)) for onset, word in words if word.source]
+    for told in seen["told"]:
+        start, end = told["first"], told["first"] + told["seconds"]
+        expected = [score.text[place] for onset, place in spoken if start <= onset < end]
+        labels = [label["text"] for label in told["shown"]]
+        assert labels[len(labels) - len(expected) :] == expected
+        assert told["seconds"] >= 2
+        rate = seen["strip"][1] / told["seconds"]
+        onsets = [onset for onset, _ in spoken if onset < end][-len(told["shown"]) :]
+        for label, onset in zip(told["shown"], onsets, strict=True):
+            assert -1e-6 <= label["left"] / rate - (onset - start) <= 0.3, "a label stands where its word is said"
+            assert 0 <= label["row"] < told["count"] <= 3
+        for row in range(told["count"]):
+            line = [label for label in told["shown"] if label["row"] == row]
+            for one, after in pairwise(line):
+                assert one["left"] + one["width"] < after["left"], "labels overlap"

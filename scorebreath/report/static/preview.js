@@ -144,20 +144,42 @@ function canvas(id) {
 const lungs = channels.lung_volume.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [1e9, -1e9]);
 lungs[0] -= .02;
 lungs[1] = Math.max(lungs[1], lungs[0] + .1);
-const WINDOW = 10, BEHIND = 3;
-let first = 0;
+// Every word has its label: in the first of three rows where there is room, a little later where there is none. Fewer
+// seconds are shown where those on one screen would crowd the rows: in a narrow window, or where speech is fast.
+const SECONDS = 10, DENSE = 90, ROWS = 3, ROW = 15, LATE = .25, FONT = "12px system-ui, sans-serif";
+let first = 0, labels = {width: 0, rate: 1, seconds: SECONDS, count: 1, rows: [], begins: [], longest: 0};
+function arrange(pen, width) {
+  const widths = words.map(word => pen.measureText(word.text).width + 6);
+  for (let rate = Math.max(width / SECONDS, DENSE); ; rate *= 1.2) {
+    const free = Array(ROWS).fill(-1e9), rows = [], begins = [];
+    let late = 0, longest = 0;
+    words.forEach((word, i) => {
+      let row = free.findIndex(end => end <= word.onset);
+      if (row < 0) row = free.indexOf(Math.min(...free));
+      begins.push(Math.max(word.onset, free[row]));
+      rows.push(row);
+      free[row] = begins[i] + widths[i] / rate;
+      late = Math.max(late, begins[i] - word.onset);
+      longest = Math.max(longest, free[row] - word.onset);
+    });
+    labels = {width, rate, seconds: width / rate, count: 1 + rows.reduce((a, b) => Math.max(a, b), 0), rows, begins, longest};
+    if (late <= LATE || labels.seconds < 2) return;
+  }
+}
 function strip(t) {
-  const [pen, width, height] = canvas("strip"), rate = width / WINDOW;
-  if (!still) first = t - BEHIND;
-  else if (t < first || t > first + WINDOW - 1) first = Math.max(0, t - 1);
-  const x = time => (time - first) * rate, foot = height - 26, middle = height * .56;
+  const [pen, width, height] = canvas("strip");
+  pen.font = FONT;
+  if (labels.width !== width) arrange(pen, width);
+  const {rate, seconds, count} = labels;
+  if (!still) first = t - .3 * seconds;
+  else if (t < first || t > first + .9 * seconds) first = Math.max(0, t - .1 * seconds);
+  const x = time => (time - first) * rate, foot = height - count * ROW - 9, middle = foot * .67;
   const lung = v => middle - 6 - (v - lungs[0]) / (lungs[1] - lungs[0]) * (middle - 18);
-  pen.font = "12px system-ui, sans-serif";
   pen.textBaseline = "alphabetic";
   pen.fillStyle = colour.inspired;
-  for (let i = Math.max(0, lastBefore(breaths, first) - 1); i < breaths.length && breaths[i].onset < first + WINDOW; i++)
+  for (let i = Math.max(0, lastBefore(breaths, first) - 1); i < breaths.length && breaths[i].onset < first + seconds; i++)
     pen.fillRect(x(breaths[i].onset), 0, (breaths[i].end - breaths[i].onset) * rate, foot);
-  const from = Math.max(0, first), to = Math.min(data.shown, first + WINDOW);
+  const from = Math.max(0, first), to = Math.min(data.shown, first + seconds);
   const trace = (name, y) => {
     pen.beginPath();
     for (let time = from; time <= to; time += 1.5 / rate) pen.lineTo(x(time), y(sample(name, time)));
@@ -172,15 +194,18 @@ function strip(t) {
   }
   pen.lineWidth = 2.2; pen.lineJoin = "round"; pen.strokeStyle = colour.ink;
   trace("lung_volume", lung); pen.stroke();
-  pen.fillStyle = colour.faint;
-  for (let i = Math.max(0, lastBefore(words, first) - 1), free = -1e9; i < words.length && words[i].onset < first + WINDOW; i++) {
-    const left = x(words[i].onset);
-    if (left < free) continue;
-    pen.fillText(words[i].text, left, height - 8);
-    free = left + pen.measureText(words[i].text).width + 5;
+  for (const label of shown(t)) {
+    pen.fillStyle = label.now ? colour.ink : colour.faint;
+    pen.fillText(label.text, label.left, foot + 4 + (label.row + .75) * ROW);
   }
   pen.fillStyle = colour.ink;
   pen.fillRect(x(t) - 1, 0, 2, height);
+}
+function shown(t) {
+  const {rate, seconds, rows, begins, longest} = labels, found = [];
+  for (let i = Math.max(0, lastBefore(words, first - longest)); i < words.length && words[i].onset < first + seconds; i++)
+    found.push({text: words[i].text, left: (begins[i] - first) * rate, row: rows[i], now: words[i].onset <= t && t < words[i].end});
+  return found;
 }
 let peaks = [];
 function highest(width) {
@@ -235,7 +260,7 @@ at("gain").value = state.gain;
 at("gain").addEventListener("input", event => { state.gain = Number(event.target.value); pose(now()); });
 let drag = null;
 at("strip").addEventListener("pointerdown", event => { drag = {x: event.clientX, time: now()}; at("strip").setPointerCapture(event.pointerId); });
-at("strip").addEventListener("pointermove", event => { if (drag) seek(drag.time - (event.clientX - drag.x) * WINDOW / at("strip").clientWidth); });
+at("strip").addEventListener("pointermove", event => { if (drag) seek(drag.time - (event.clientX - drag.x) / labels.rate); });
 for (const name of ["pointerup", "pointercancel"]) at("strip").addEventListener(name, () => { drag = null; });
 addEventListener("keydown", event => {
   const own = {gain: "Arrow Home End", play: "Space", transcript: "ArrowUp ArrowDown Home End"}[event.target.id] || "";
@@ -252,6 +277,6 @@ addEventListener("keydown", event => {
 addEventListener("resize", () => pose(now()));
 addEventListener("hashchange", fromHash);
 dark.addEventListener("change", () => { readColours(); pose(now()); });
-window.scorebreath = {pose: t => { if (state.playing) toggle(false); state.time = t; return pose(t); }, data};
+window.scorebreath = {pose: t => { if (state.playing) toggle(false); state.time = t; return pose(t); }, data, labels: () => ({...labels, first, shown: shown(now())})};
 pose(0);
 fromHash();
