@@ -6,10 +6,7 @@ import errno
 import io
 import os
 import sys
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from _typeshed import ReadableBuffer
+from typing import Any
 
 LAST_STANDARD = 2
 """Descriptors up to this one are children's as well."""
@@ -26,7 +23,7 @@ class Stdout(io.FileIO):
         super().__init__(descriptor, "w", closefd=False)
         self.shut = shut
 
-    def write(self, data: ReadableBuffer, /) -> int:
+    def write(self, data: Any, /) -> int:
         """As of any file.
 
         Raises:
