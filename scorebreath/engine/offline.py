@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import shutil
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -213,7 +214,7 @@ class _Job:
                     raise EngineError(f"the {self.engine.name} engine made samples that are not finite")
                 yield block
                 self.told(segment, _WRITING, (start + len(block)) / segment.frames)
-        made.unlink()
+        shutil.rmtree(made.parent, ignore_errors=True)
 
     def _silence(self, segment: Segment) -> Iterator[NDArray[np.float32]]:
         for start in range(0, segment.frames, _BLOCK):
