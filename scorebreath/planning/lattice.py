@@ -18,7 +18,7 @@ from bisect import bisect_left
 from collections import Counter
 from collections.abc import Sequence
 from functools import lru_cache
-from math import inf
+from math import ceil, inf
 
 from scorebreath.planning.sites import Boundary
 
@@ -37,7 +37,7 @@ class Lattice:
     def __init__(self, length: Sequence[float], budget: float) -> None:
         """Begin with node 0 alone."""
         self._length = length
-        self._budget = budget
+        self._budget = ceil(budget)  # whole, as syllables are: sums with it are exact
         self._saved, self._worse = extremes(tuple(length), 1), extremes(tuple(length), -1)
         self.boundaries: list[Boundary] = [Boundary("paragraph", 0.0, 0.0)]
         self._total = [0]

@@ -9,7 +9,7 @@ from itertools import combinations
 from math import log
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from scorebreath.parameters.table import Parameters
@@ -97,6 +97,7 @@ long_stretches = st.lists(
 
 @settings(max_examples=60, deadline=None)
 @given(stretch=long_stretches, preferred=st.floats(4, 20), share=st.floats(0.2, 0.8))
+@example(stretch=[(1, "sentence", 0.001)] * 40, preferred=5.0, share=0.20000000000000004)
 def test_what_is_settled_early_is_what_the_whole_text_would_settle(
     stretch: list[tuple[int, Site, float]], preferred: float, share: float
 ) -> None:
