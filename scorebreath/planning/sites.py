@@ -13,6 +13,7 @@ from typing import NamedTuple
 from scorebreath.planning.chunker import SITES
 from scorebreath.planning.units import Unit
 from scorebreath.score.document import Site
+from scorebreath.script.model import ScriptWord
 
 READINESS: dict[Site, float] = {
     "paragraph": 1.0,
@@ -70,8 +71,10 @@ class FunctionWords:
     clinging: frozenset[str] = frozenset()
     """others that are not parted from what follows: auxiliaries, negations"""
 
-    def cling(self, word: str) -> bool:
-        """Whether `word` belongs to what follows it."""
+    def cling(self, word: str, as_written: bool = True) -> bool:
+        """Whether `word` belongs to what follows it; one that is not said as written only like "Dr." and "bzw."."""
+        if not as_written:
+            return word in self.clinging or word in self.pairing
         return any(word in getattr(self, field.name) for field in fields(self))
 
 
@@ -109,7 +112,7 @@ def boundary(units: Sequence[Unit], index: int, small: FunctionWords) -> Boundar
         return _boundary(site, COMMA_CLAUSE if _opens(units, index + 1, small) == "clause" else READINESS[site])
     if _suspended(units, index, small):
         return _boundary(site, SUSPENDED)
-    if small.cling(_last(unit)):
+    if small.cling(_last(unit), _as_written(unit.words[-1])):
         return _boundary(site, CLINGING)
     site = _opens(units, index + 1, small)
     return _boundary(site, READINESS[site])
@@ -118,6 +121,8 @@ def boundary(units: Sequence[Unit], index: int, small: FunctionWords) -> Boundar
 def _opens(units: Sequence[Unit], index: int, small: FunctionWords) -> Site:
     """What the unit at `index` opens, after a word that is no function word."""
     word = _first(units[index])
+    if not _as_written(units[index].words[0]):
+        return "word"
     if word in small.clause:
         return "clause"
     following = units[index + 1] if units[index].edge == "word" and index + 1 < len(units) else None
@@ -151,6 +156,11 @@ def _first(unit: Unit) -> str:
 
 def _last(unit: Unit) -> str:
     return _stem(unit.words[-1].text)
+
+
+def _as_written(word: ScriptWord) -> bool:
+    """Whether a word is said as it is written: the "in." of 2 in. and the IT of an office are no function words."""
+    return _stem(word.words[0]) == _stem(word.text)
 
 
 def _stem(word: str) -> str:

@@ -207,6 +207,23 @@ def test_a_pair_of_compounds_that_share_a_half_is_not_parted(text: str, language
     assert bare.breathing < -log(SUSPENDED) or before.lower() in ("vor", "mittel")
 
 
+@pytest.mark.parametrize(
+    ("text", "index", "site", "probability"),
+    [
+        ("it is 2 in. tall now", 2, "word", READINESS["word"]),
+        ("it is 2 in. tall now", 3, "word", READINESS["word"]),
+        ("men row 2 in boats now", 2, "phrase", READINESS["phrase"]),
+        ("saw Dr. Smith now", 1, "word", CLINGING),
+    ],
+)
+def test_what_is_said_otherwise_is_no_function_word(text: str, index: int, site: Site, probability: float) -> None:
+    reader = UnitReader(vowel_counter, 44)
+    found = [unit for sentence in read(text).sentences for unit in reader.read(sentence)]
+    actual = boundary(found, index, function_words("en"))
+    assert actual.site == site
+    assert actual.breathing == pytest.approx(-log(probability))
+
+
 def test_a_dash_before_a_conjunction_is_no_shared_half() -> None:
     reader = UnitReader(vowel_counter, 44)
     found = [unit for one in read("He went home - and then slept").sentences for unit in reader.read(one)]
