@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from scorebreath.chance import ENGINE_SEEDS
 from scorebreath.equations.breath import NOSE_BELOW_MOUTH_DB
-from scorebreath.errors import ScoreError
+from scorebreath.errors import ScoreError, shortened
 from scorebreath.score.document import Body, Score
 from scorebreath.score.events import Event, Expiration, Inspiration, Noise, Utterance
 from scorebreath.units import amplitude
@@ -107,7 +107,9 @@ def _breath(
     if gain <= 0 or length <= 0:
         return
     if noise.source != "synth":
-        raise ScoreError(f"event {event.id!r}: noise.source={noise.source[:12]!r} must be 'synth' in this version")
+        raise ScoreError(
+            f"event {event.id!r}: noise.source={shortened(noise.source)!r} must be 'synth' in this version"
+        )
     level = _amplitude(event, "noise.level_db", body.voice.reference_db + noise.level_db + below_db)
     yield Onset(
         time=event.onset + noise.onset,

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from scorebreath.errors import ScoreError
+from scorebreath.errors import ScoreError, shortened
 from scorebreath.media.store import MediaStore
 from scorebreath.media.wave import write_wave
 from scorebreath.signal.resample import resample
@@ -40,9 +40,11 @@ def stage(
     for index, (name, length) in enumerate(lengths.items()):
         sound = media.get(name)
         if abs(len(sound.samples) - length * sound.sample_rate) > 0.5:
-            raise ScoreError(f"media {name[:12]!r} last {len(sound.samples) / sound.sample_rate:g} s, not {length:g} s")
+            raise ScoreError(
+                f"media {shortened(name)!r} last {len(sound.samples) / sound.sample_rate:g} s, not {length:g} s"
+            )
         if not np.isfinite(np.abs(sound.samples).max(initial=0.0)):
-            raise ScoreError(f"media {name[:12]!r} hold samples that are not finite")
+            raise ScoreError(f"media {shortened(name)!r} hold samples that are not finite")
         samples = np.append(resample(sound.samples, sound.sample_rate, sample_rate), np.float32(0))
         staged[name] = f"s{index:06d}.wav"
         with (folder / staged[name]).open("wb") as stream:

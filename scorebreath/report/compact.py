@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from scorebreath.signal.resample import Resampler
+
 RATE = 24_000
 """Hz; FLAC of 16 bits: sample for sample what was rendered up to 12 kHz, in every browser"""
 BLOCK = 1 << 16
@@ -31,11 +33,7 @@ class CompactSound:
         import soundfile
 
         self._left = math.ceil(longest * sample_rate)
-        self._resampler: Any = None
-        if sample_rate != RATE:
-            import soxr
-
-            self._resampler = soxr.ResampleStream(sample_rate, RATE, 1, dtype="float32", quality="VHQ")
+        self._resampler = Resampler(sample_rate, RATE)
         self._held = io.BytesIO()
         self._file = soundfile.SoundFile(self._held, "w", RATE, 1, subtype="PCM_16", format="FLAC")
 
@@ -63,6 +61,6 @@ class CompactSound:
         return self._held.getvalue()
 
     def _write(self, samples: NDArray[np.float32], *, last: bool) -> None:
-        made = samples if self._resampler is None else self._resampler.resample_chunk(samples, last=last)
+        made = self._resampler.resample(samples, last=last)
         for start in range(0, len(made), BLOCK):
             self._file.write(np.clip(made[start : start + BLOCK], -1.0, 1.0))
