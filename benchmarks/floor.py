@@ -57,8 +57,8 @@ def run(folder: Path) -> dict[str, float]:
     import parselmouth
 
     from scorebreath.engine.engines import engine_named
+    from scorebreath.speech.espeak.launch import installed
     from scorebreath.speech.espeak.library import SAMPLE_RATE, Settings
-    from scorebreath.speech.espeak.voice import installed
 
     told = json.loads((folder / "asked.json").read_text())
     library, command = installed(), engine_named("embedded").command()

@@ -130,11 +130,12 @@ def _name_of(given: str) -> str:
 
 def _bounded(stream: IO[bytes]) -> bytes:
     """All of it, or one byte more than is accepted: a device or a pipe may never end."""
-    from scorebreath.score.codec import LARGEST_FILE
     from scorebreath.script.decode import LIMIT
 
     data = stream.read(LIMIT + 1)
     if len(data) > LIMIT and _JSON.match(data[:4096]):
+        from scorebreath.score.codec import LARGEST_FILE
+
         data += stream.read(LARGEST_FILE + 1 - len(data))
     return data
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import json
 import os
 import subprocess
@@ -35,6 +36,22 @@ def module_command(module: str, *arguments: str) -> tuple[str, ...]:
     """
     path = [str(Path(entry).resolve()) for entry in sys.path if isinstance(entry, str)]
     return (sys.executable, "-P", "-c", _BOOT.format(module=module), json.dumps(path), *arguments)
+
+
+def start_ahead(command: Sequence[str]) -> None:
+    """Start a process that the next `start` with this command will give, so that it gets ready while we import."""
+    if not _ahead:
+        atexit.register(_abandon)
+    _ahead.setdefault(tuple(command), Process(command))
+
+
+def start(command: Sequence[str]) -> Process:
+    """A process that runs a command: the one started ahead, or a new one.
+
+    Raises:
+        VoiceError: The system cannot start it.
+    """
+    return _ahead.pop(tuple(command), None) or Process(command)
 
 
 class Process:
@@ -84,6 +101,10 @@ class Process:
             message = read_message(answers)
         return message
 
+    def kill(self) -> None:
+        """End it without waiting for anything; call `end` afterwards."""
+        self._process.kill()
+
     def why(self) -> str:
         """How it failed, with the last line it printed; call before `end`."""
         with suppress(subprocess.TimeoutExpired):
@@ -96,6 +117,17 @@ class Process:
         crashed = f"its worker crashed (exit status {self._process.returncode})"
         what = crashed if missed is None else f"no answer within {missed:.3g} s"
         return f"{what}: {said}" if said else what
+
+
+_ahead: dict[tuple[str, ...], Process] = {}
+"""Processes that nobody has asked for yet."""
+
+
+def _abandon() -> None:
+    while _ahead:
+        _, process = _ahead.popitem()
+        process.kill()
+        process.end()
 
 
 def _end(process: subprocess.Popen[bytes], words: IO[bytes], deadline: Deadline) -> None:

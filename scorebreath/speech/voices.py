@@ -82,6 +82,9 @@ def list_voices() -> tuple[VoiceRow, ...]:
 
 
 def _open_espeak(name: str, detail: str, language: str) -> Voice:
+    from scorebreath.speech.espeak.launch import prepare
+
+    prepare()  # gets ready while the next line loads the rest
     from scorebreath.speech.espeak.voice import EspeakVoice, known
 
     code, _, variant = detail.partition("+")
@@ -93,7 +96,8 @@ def _open_espeak(name: str, detail: str, language: str) -> Voice:
 
 
 def _espeak_rows() -> Iterator[VoiceRow]:
-    from scorebreath.speech.espeak.voice import describe, installed, known
+    from scorebreath.speech.espeak.launch import installed
+    from scorebreath.speech.espeak.voice import describe, known
 
     version, problem = "", ""
     codes: list[str] = []

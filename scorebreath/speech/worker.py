@@ -9,7 +9,7 @@ from threading import RLock
 from typing import Any
 
 from scorebreath.errors import VoiceError
-from scorebreath.speech.process import Process
+from scorebreath.speech.process import Process, start
 from scorebreath.speech.wire import pack
 
 TRIES = 2
@@ -125,7 +125,7 @@ class Worker:
         if self._closed:
             raise VoiceError(f"voice {self._name} was closed")
         if self._process is None:
-            self._process = Process(self._command)
+            self._process = start(self._command)
             for asked in self._asked.values():
                 self._process.write(asked.message, asked.deadline)
         return self._process

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 import time
 from threading import Event
 
@@ -11,10 +10,6 @@ import pytest
 from scorebreath.speech.deadline import Deadline
 
 SOON, LATE = 0.05, 60.0
-
-
-def watchers() -> int:
-    return sum(thread.name == "deadline" for thread in threading.enumerate())
 
 
 def test_a_block_that_takes_too_long_is_struck_once() -> None:
@@ -56,29 +51,27 @@ def test_a_short_deadline_holds_whatever_came_before(before: float) -> None:
 
 def test_blocks_within_their_time_are_left_alone_and_share_a_thread() -> None:
     struck: list[int] = []
-    before = watchers()
+    threads = set()
     deadline = Deadline(lambda: struck.append(1))
     try:
         for _ in range(200):
             with deadline.within(LATE):
-                pass
+                threads.add(deadline._thread)
         with deadline.within(SOON):
             pass
         time.sleep(3 * SOON)  # the block was over in time, so its deadline passes unnoticed
         assert not struck
         assert deadline.missed is None
-        assert watchers() == before + 1
+        assert len(threads) == 1
     finally:
         deadline.close()
 
 
 def test_closing_ends_the_thread() -> None:
-    before = watchers()
     deadline = Deadline(lambda: None)
     with deadline.within(LATE):
         pass
     deadline.close()
-    limit = time.monotonic() + LATE
-    while watchers() > before:
-        assert time.monotonic() < limit
-        time.sleep(0.001)
+    assert deadline._thread is not None
+    deadline._thread.join(LATE)
+    assert not deadline._thread.is_alive()

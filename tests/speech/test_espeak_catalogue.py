@@ -8,9 +8,10 @@ import pytest
 
 from scorebreath.errors import InputError, VoiceError
 from scorebreath.speech.espeak.catalogue import catalogue
+from scorebreath.speech.espeak.launch import installed
 from scorebreath.speech.espeak.library import Library
 from scorebreath.speech.espeak.prosody import settings
-from scorebreath.speech.espeak.voice import installed, known
+from scorebreath.speech.espeak.voice import known
 
 CODES = {
     "en": "en-us", "EN": "en-us", "en-GB": "en-gb", "en_US": "en-us", "de": "de", "fr": "fr-fr", "pt": "pt",

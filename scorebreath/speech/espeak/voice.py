@@ -11,13 +11,13 @@ from scorebreath.errors import VoiceError
 from scorebreath.signal.level import active_db
 from scorebreath.signal.pitch import CEILING, FLOOR
 from scorebreath.speech.espeak.catalogue import Catalogue, catalogue
-from scorebreath.speech.espeak.library import SAMPLE_RATE, Library
+from scorebreath.speech.espeak.launch import installed, worker_command
+from scorebreath.speech.espeak.library import SAMPLE_RATE
 from scorebreath.speech.espeak.prosody import settings
 from scorebreath.speech.espeak.syllables import nuclei
 from scorebreath.speech.espeak.text import Said, prepare
 from scorebreath.speech.espeak.utterance import samples_of, utterance
 from scorebreath.speech.model import Speech, SpeechRequest, Voice, VoiceDetails
-from scorebreath.speech.process import module_command
 from scorebreath.speech.worker import Worker
 
 DEADLINE = 30.0
@@ -31,6 +31,8 @@ LANES = 2
 SECOND_STARTS, SECOND_WORKS = 6, 16
 """Requests of one `speak_all` after which a second worker is started, and after which it is given work: it takes a few
 hundred ms to start, which short texts need not wait for."""
+MANY_WORDS = 500
+"""Asked for at once, they start it as well: as much will have to be spoken."""
 WORDS_AT_ONCE = 1000
 """in one request for syllables"""
 CALIBRATION = {
@@ -44,20 +46,6 @@ LEAST_DB = -60.0
 """Below, nothing was said."""
 TYPICAL_DB = -20.0
 """Of a voice that says none of this; 20 languages lie between -18 and -23."""
-
-
-def installed() -> Library:
-    """The library that espeakng-loader carries.
-
-    Raises:
-        VoiceError: It is not there.
-    """
-    try:
-        import espeakng_loader
-
-        return Library(path=espeakng_loader.get_library_path(), data=espeakng_loader.get_data_path())
-    except (ImportError, RuntimeError) as error:
-        raise VoiceError(f"eSpeak NG is not installed ({error}): pip install espeakng-loader") from error
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,7 +79,7 @@ class EspeakVoice(Voice):
         self._library = installed()
         self._chosen = known().choose(language, variant)
         self._name = f"espeak:{self._chosen.name}"
-        command = command or module_command("scorebreath.speech.espeak.worker", self._library.path, self._library.data)
+        command = command or worker_command(self._library)
         self._workers = [Worker(command, self._name) for _ in range(LANES)]
         self._worker = self._workers[0]
         self._own = settings(self._chosen)
@@ -164,6 +152,8 @@ class EspeakVoice(Voice):
     def syllables(self, words: Sequence[str]) -> Sequence[int]:
         """Vowels, diphthongs and syllabic consonants of each word as it is spoken alone; kept for the next time."""
         new = [word for word in dict.fromkeys(words) if word not in self._counts]
+        if len(words) >= MANY_WORDS:
+            self._workers[-1].start()
         for first in range(0, len(new), WORDS_AT_ONCE):
             some = new[first : first + WORDS_AT_ONCE]
             said = [prepare(word, "final").text[:-1] for word in some]
