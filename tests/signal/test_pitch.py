@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from scorebreath.signal import pitch
 from scorebreath.signal.level import step_edges
 from scorebreath.signal.pitch import STEP, on_grid, pitch_hertz
 
@@ -54,3 +55,15 @@ def test_values_are_hundredths() -> None:
 def test_frames_beside_the_grid_go_to_the_nearest_point() -> None:
     found = on_grid(np.array([-0.001, 0.0024, 0.0074, 0.0126, 0.03]), np.array([1.0, 2.0, 3.0, 4.0, 5.0]), 4, 0.005)
     assert found.tolist() == [2.0, 3.0, 4.0, 0.0]
+
+
+def test_the_rate_at_which_it_is_looked_for_makes_no_difference(monkeypatch: pytest.MonkeyPatch) -> None:
+    rate, frames = 44100, 44100
+    sung = tone(150 + 60 * np.sin(np.arange(frames) * 2 * np.pi * 2 / rate), rate)
+    found = pitch_hertz(sung, rate)
+    monkeypatch.setattr(pitch, "RATE", rate)
+    whole = pitch_hertz(sung, rate)
+    voiced = (found > 0) & (whole > 0)
+    assert voiced.mean() > 0.95
+    assert np.abs(found[voiced] / whole[voiced] - 1).max() < 0.002
+    assert np.mean((found > 0) != (whole > 0)) < 0.01
