@@ -204,7 +204,7 @@ SOUND = (
 PICTURE = (
     "scorebreath.formats.curves_csv", "scorebreath.formats.curves_json", "scorebreath.formats.groups_csv",
     "scorebreath.report.preview", "scorebreath.report.timeline", "scorebreath.score.files", "soundfile",
-    "matplotlib.backends.backend_agg", "matplotlib.collections", "matplotlib.figure", "matplotlib.font_manager",
+    "matplotlib.backends.backend_agg", "matplotlib.font_manager",
 )  # fmt: skip
 """What rendering imports when it first needs it: seconds in which the voice speaks, and then the engine works."""
 

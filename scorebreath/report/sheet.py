@@ -69,29 +69,48 @@ class Sheet:
 
     def png(self, stream: BinaryIO) -> None:
         """Paint it all; layers in order, within a layer areas before lines, texts last."""
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.collections import LineCollection, PolyCollection
-        from matplotlib.figure import Figure
-        from matplotlib.transforms import Affine2D
+        from matplotlib.backends.backend_agg import RendererAgg
         from PIL import Image
 
-        figure = Figure(figsize=(self.width / DPI, self.height / DPI), dpi=DPI, facecolor=self.paper)
-        down = Affine2D().scale(1, -1).translate(0, self.height)
-        for (layer, color), polygons in self._areas.items():
-            look: dict[str, Any] = {"facecolor": color, "linewidth": 0, "zorder": 2 * layer}
-            figure.add_artist(PolyCollection(polygons, transform=down, **look))
-        for (layer, color, width, dashes), lines in self._lines.items():
-            style = (0, dashes) if dashes else "solid"
-            look = {"color": color, "linewidth": width * 72 / DPI, "linestyle": style, "zorder": 2 * layer + 1}
-            figure.add_artist(LineCollection(lines, transform=down, joinstyle="round", capstyle="butt", **look))
-        canvas: Any = FigureCanvasAgg(figure)
+        size = self.width, self.height
+        renderer: Any = RendererAgg(*size, DPI)  # type: ignore[no-untyped-call]
+        self._paint(renderer)
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", message=".*Glyph .* missing from")  # no font has every script
-            canvas.draw()
-            self._write(canvas.get_renderer())
-        image = Image.frombuffer("RGBA", (self.width, self.height), canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
+            self._write(renderer)
+        image = Image.frombuffer("RGBA", size, renderer.buffer_rgba(), "raw", "RGBA", 0, 1)
         image.convert("RGB").save(stream, "png", compress_level=COMPRESSION)
-        canvas.renderer = None  # figures refer to themselves, and the collector would be late for 40 MB
+
+    def _paint(self, renderer: Any) -> None:
+        """All areas and lines, in pixels from the bottom as the renderer counts them."""
+        from matplotlib.colors import to_rgba
+        from matplotlib.path import Path
+        from matplotlib.transforms import Affine2D
+
+        down = Affine2D().scale(1, -1).translate(0, self.height)
+        plain = renderer.new_gc()
+        plain.set_linewidth(0)
+        sheet = np.array([(0, 0), (self.width, 0), (self.width, self.height), (0, self.height), (0, 0)])
+        renderer.draw_path(plain, Path(sheet, closed=True), down, to_rgba(self.paper))
+        strokes: list[tuple[int, bool, Any, list[Points], str]] = []
+        for (layer, color), polygons in self._areas.items():
+            strokes.append((layer, False, plain, polygons, color))
+        for (layer, color, width, dashes), lines in self._lines.items():
+            pen = renderer.new_gc()
+            pen.set_linewidth(width * 72 / DPI)
+            pen.set_foreground(color)
+            pen.set_joinstyle("round")
+            pen.set_capstyle("butt")
+            pen.set_dashes(0, [width * 72 / DPI * dash for dash in dashes] or None)
+            strokes.append((layer, True, pen, lines, color))
+        for _, line, pen, shapes, color in sorted(strokes, key=lambda stroke: stroke[:2]):
+            for shape in shapes:
+                if line:
+                    renderer.draw_path(pen, Path(shape), down)
+                else:
+                    renderer.draw_path(
+                        pen, Path(np.append(shape, shape[:1], axis=0), closed=True), down, to_rgba(color)
+                    )
 
     def _write(self, renderer: Any) -> None:
         """All texts, straight into the picture: matplotlib's own Text measures each several times first."""
