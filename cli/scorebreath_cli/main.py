@@ -14,6 +14,10 @@ COLLECTIONS = (500_000, 20, 100)
 """Thresholds of the garbage collector: a Score of an hour is a million objects and none of them garbage, so looking
 through them all again and again only takes time that grows faster than they do."""
 
+HAND_OVER = 0.0005
+"""Seconds a thread may keep others waiting for the interpreter: those that serve the engine and the voice wait often,
+and their processes with them."""
+
 
 def main() -> NoReturn:
     """Run the command line.
@@ -22,6 +26,7 @@ def main() -> NoReturn:
         SystemExit: Always; 0 done, 1 our bug, 2 bad usage or input, 3 environment, 130 interrupted.
     """
     gc.set_threshold(*COLLECTIONS)
+    sys.setswitchinterval(HAND_OVER)
     atexit.register(gc.freeze)  # or the interpreter looks for garbage in all there is, just before it ends
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # nothing here multiplies matrices; a pool takes 0.1 s to start
     try:
