@@ -198,9 +198,7 @@ class _Writers:
             groups_csv.write(stream, self.score)
 
 
-SOUND = (
-    "scorebreath.engine.offline", "soxr", "supriya",
-)  # fmt: skip
+SOUND = ("scorebreath.engine.offline", "soxr")
 PICTURE = (
     "scorebreath.formats.curves_csv", "scorebreath.formats.curves_json", "scorebreath.formats.groups_csv",
     "scorebreath.report.preview", "scorebreath.report.timeline", "scorebreath.score.files", "soundfile",

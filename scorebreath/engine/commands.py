@@ -1,39 +1,102 @@
-"""A supriya score as the file of OSC commands that engines render."""
+"""What an engine is told offline, as the file of OSC bundles that it reads: the bytes of a supriya score.
+
+supriya itself takes longer to import than a sentence takes to render; a test holds the two together.
+"""
 
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable
-from typing import TYPE_CHECKING, BinaryIO
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import BinaryIO
 
 from scorebreath.engine.clock import OfflineClock
+from scorebreath.engine.osc import bundle, message
 from scorebreath.engine.play import load, play
 from scorebreath.engine.segments import Segment
+from scorebreath_synthdefs.catalogue import CATALOGUE
+from scorebreath_synthdefs.compiled import together
 
-if TYPE_CHECKING:
-    from supriya import Score as Commands
+FIRST_NODE = 1000
+"""Node ids below belong to the engine's own groups."""
+_SECOND = 2**32  # units of an OSC time tag
+_ROOT, _TO_HEAD = 0, 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Buffer:
+    """A place for a sound in the engine's memory."""
+
+    id_: int
+
+
+@dataclass(slots=True, kw_only=True)
+class Commands:
+    """The part of a supriya context that `play` needs, kept as OSC. It grows as it is told, so it changes."""
+
+    moments: dict[int, list[bytes]] = field(default_factory=dict)
+    """messages by time tag"""
+    nodes: int = 0
+    buffers: int = 0
+    _now: list[bytes] = field(default_factory=list)
+
+    @contextmanager
+    def at(self, seconds: float) -> Iterator[None]:
+        """What is told within happens then."""
+        self._now = self.moments.setdefault(int(seconds * _SECOND), [])
+        yield
+
+    def add_synthdefs(self, *names: str) -> None:
+        """Instruments of the catalogue."""
+        self._now.append(message("/d_recv", together(names)))
+
+    def add_synth(self, name: str, **controls: float) -> None:
+        """A sound; controls at their defaults are left out."""
+        defaults = CATALOGUE[name].controls
+        said = [(key, float(value)) for key, value in sorted(controls.items()) if value != defaults[key].default]
+        node = FIRST_NODE + self.nodes
+        self.nodes += 1
+        self._now.append(message("/s_new", name, node, _TO_HEAD, _ROOT, *(part for pair in said for part in pair)))
+
+    def add_buffer(self, *, file_path: Path) -> Buffer:
+        """A sound file read into memory."""
+        made = Buffer(id_=self.buffers)
+        self.buffers += 1
+        self._now.append(message("/b_allocRead", made.id_, str(file_path), 0, 0))
+        return made
+
+    def free_buffer(self, buffer: Buffer) -> None:
+        """Forget it."""
+        self._now.append(message("/b_free", buffer.id_))
+
+    def free_all(self) -> None:
+        """End all that sounds."""
+        self._now.append(message("/g_freeAll", _ROOT))
 
 
 def commands(segment: Segment, where: Callable[[str], str], *, sample_rate: int) -> Commands:
     """What an engine must be told to make the segment's sounds and end in silence."""
-    from supriya import Score as Commands  # not a Score of ours
-
     clock = OfflineClock(sample_rate=sample_rate, start=segment.start)
-    made = Commands(input_bus_channel_count=0, output_bus_channel_count=1, buffer_count=len(segment.sounds) + 1)
+    made = Commands()
     with made.at(0.0):
-        load(made, (sound.instrument for sound in segment.sounds))
+        load(made, (sound.instrument for sound in segment.sounds), instrument=str)
     end = clock.of_frame(segment.start + segment.frames)
-    play(made, segment.sounds, when=lambda time: min(clock(time), end), where=where)
+    play(made, segment.sounds, when=lambda time: min(clock(time), end), where=where, instrument=str)
     with made.at(end):
-        made.free_group_children(made.root_node)  # some units that are alive at the end crash the embedded engine
+        made.free_all()  # some units that are alive at the end crash the embedded engine
     return made
 
 
 def write_commands(stream: BinaryIO, made: Commands) -> None:
-    """Write what the engine reads: each bundle after its length.
+    """Write what the engine reads: each bundle after its length, in order of time.
 
     The last bundle ends the sound. Time tags are whole 2^-32 s, truncated as sclang does (formats 3.15).
     """
-    for datagram in made.iterate_datagrams():
+    for tag, messages in sorted(made.moments.items()):
+        if not messages:
+            continue
+        datagram = bundle(tag, messages)
         stream.write(struct.pack(">i", len(datagram)))
         stream.write(datagram)

@@ -7,11 +7,14 @@ import struct
 from collections.abc import Iterator
 
 import pytest
-from supriya import OscBundle, OscMessage
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from supriya import OscBundle, OscMessage, Score
 
+from scorebreath.engine.clock import OfflineClock
 from scorebreath.engine.commands import commands, write_commands
 from scorebreath.engine.onsets import onsets
-from scorebreath.engine.play import KEEP, PRELOAD, play
+from scorebreath.engine.play import KEEP, PRELOAD, load, play
 from scorebreath.engine.segments import segments
 from scorebreath.media.store import MemoryStore
 from scorebreath_synthdefs import SPEECH
@@ -103,6 +106,38 @@ def test_equal_scores_are_told_in_equal_bytes() -> None:
     for stream in (one, other):
         write_commands(stream, commands(segment, str, sample_rate=RATE))
     assert one.getvalue() == other.getvalue()
+
+
+DRAWN = st.lists(
+    st.tuples(st.booleans(), st.integers(100, 20_000), st.floats(0, 1)), max_size=12, unique_by=lambda one: one[1]
+)
+"""Whether it is speech, when (ms), and its nose's share."""
+
+
+@settings(max_examples=30, deadline=None)
+@given(DRAWN)
+def test_it_is_what_supriya_would_write(drawn: list[tuple[bool, int, float]]) -> None:
+    """A supriya score that plays the same sounds gives the same bytes."""
+    store = MemoryStore()
+    name = store.put(babble(0.5, 22050, 1), 22050, "speech")
+    events = [
+        utterance(ms / 1000, name, 0.5) if speech else inspiration(ms / 1000, noise(), nose=round(nose, 2))
+        for speech, ms, nose in drawn
+    ]
+    made = score(sorted(events, key=lambda event: event.onset), 21.0, store)
+    (segment,) = segments(onsets(made), frames=21 * RATE, sample_rate=RATE)
+    ours, theirs = io.BytesIO(), io.BytesIO()
+    write_commands(ours, commands(segment, str, sample_rate=RATE))
+    clock = OfflineClock(sample_rate=RATE)
+    reference = Score(input_bus_channel_count=0, output_bus_channel_count=1, buffer_count=len(segment.sounds) + 1)
+    with reference.at(0.0):
+        load(reference, (sound.instrument for sound in segment.sounds))
+    play(reference, segment.sounds, when=clock, where=str)
+    with reference.at(clock.of_frame(segment.frames)):
+        reference.free_group_children(reference.root_node)
+    for datagram in reference.iterate_datagrams():
+        theirs.write(struct.pack(">i", len(datagram)) + datagram)
+    assert ours.getvalue() == theirs.getvalue()
 
 
 class Moments:

@@ -105,7 +105,7 @@ def test_moving_a_score_moves_its_onsets_and_nothing_else(breaths: list[tuple[in
 @pytest.mark.parametrize(
     ("broken", "words"),
     [
-        (noise(source="ab" * 32), "noise.source='abababababab' must be 'synth'"),
+        (noise(source="ab" * 32), "noise.source='abababababab...' must be 'synth'"),
     ],
 )
 def test_what_no_instrument_can_play_is_refused(broken: object, words: str) -> None:
