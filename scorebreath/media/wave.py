@@ -29,8 +29,10 @@ class _Form:
 
 def _integers(samples: NDArray[np.float32], bits: int) -> NDArray[np.int32]:
     full = np.float32(2 ** (bits - 1))
-    made: NDArray[np.int32] = np.clip(np.rint(samples * full), -full, full - 1).astype("<i4")
-    return made
+    scaled = samples * full
+    np.rint(scaled, out=scaled)
+    np.clip(scaled, -full, full - 1, out=scaled)
+    return scaled.astype("<i4")
 
 
 def _pcm16(samples: NDArray[np.float32]) -> bytes:

@@ -15,6 +15,7 @@ RATE = 24_000
 """Hz; FLAC of 16 bits: sample for sample what was rendered up to 12 kHz, in every browser"""
 BLOCK = 1 << 16
 """Frames written at once: libsndfile overflows its stack on one endless block."""
+FULL_SCALE = 32_768
 
 
 class CompactSound:
@@ -63,4 +64,7 @@ class CompactSound:
     def _write(self, samples: NDArray[np.float32], *, last: bool) -> None:
         made = self._resampler.resample(samples, last=last)
         for start in range(0, len(made), BLOCK):
-            self._file.write(np.clip(made[start : start + BLOCK], -1.0, 1.0))
+            steps = made[start : start + BLOCK] * np.float32(FULL_SCALE)
+            np.rint(steps, out=steps)
+            np.clip(steps, -FULL_SCALE, FULL_SCALE - 1, out=steps)
+            self._file.write(steps.astype(np.int16))

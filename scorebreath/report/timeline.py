@@ -18,7 +18,7 @@ from scorebreath.report.sheet import Points, Sheet
 from scorebreath.score.document import Score
 from scorebreath.score.events import Utterance
 
-MOST_ROWS, ROW_SECONDS, SHORTEST_ROW = 10, 15.0, 5.0
+MOST_ROWS, ROW_SECONDS, SHORTEST_ROW = 8, 15.0, 5.0
 WIDTH, LEFT, RIGHT = 2400, 130, 60
 HEADER, STRIP, ROW = 130, 160, 425
 """pixels"""
@@ -53,7 +53,7 @@ LEGEND = (("breath sound", BREATH), ("speech sound", SPEECH), ("breathing in", I
 
 
 def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
-    """Draw a Score as PNG, 2400 pixels wide and at most 4540 high.
+    """Draw a Score as PNG, 2400 pixels wide and at most 3690 high.
 
     Args:
         stream: Takes bytes.

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from scorebreath.units import frame_count
 
-QUALITY = "VHQ"
-"""soxr's: 28 bits"""
+QUALITY = "HQ"
+"""soxr's: 20 bits, errors 120 dB down; what a resampler adds lies 20 dB below the steps of a 16-bit voice"""
 
 
 def resample(samples: NDArray[np.float32], source: int, target: int) -> NDArray[np.float32]:

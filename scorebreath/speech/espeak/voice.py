@@ -24,7 +24,7 @@ DEADLINE = 30.0
 """s for any answer; the worker's start is part of the first one's"""
 DEADLINE_PER_CHARACTER = 0.02
 """s more for each character; it takes about 0.0003"""
-AHEAD = 2
+AHEAD = 6
 """requests each worker has before it while `speak_all` waits for one"""
 LANES = 2
 """Workers at most; pitch takes five times as long as synthesis, and both are done beside the program's own work."""
