@@ -34,6 +34,8 @@ from scorebreath.units import decibels, frame_count
 
 Progress = Callable[[str, float], None]
 """Called with `sound` and the share of it that is done."""
+AHEAD = 2
+"""Pieces that are made while one is taken: the sounds of one get ready while the engine makes the other."""
 _BLOCK = 1 << 18  # frames read at once
 _FRAME = 4  # bytes of a float32 sample
 _STAGING, _ENGINE, _WRITING = (0.0, 0.4), (0.4, 0.8), (0.8, 1.0)  # where in a segment's work a stage lies
@@ -79,7 +81,7 @@ def render(
         engine: A name (`embedded`, `scsynth`, `scsynth:FILE`) or an engine.
         sample_rate: Of the engine and the file, Hz.
         encoding: Of the file.
-        timeout: Seconds the engine may take for five minutes or so; None: a minute and half the length of the sound.
+        timeout: Seconds the engine may take for a piece of three minutes or so; None: a minute and half the length of the sound.
         on_progress: Told how far it is.
         on_samples: Given every block (n,) as it goes into the file.
 
@@ -163,18 +165,18 @@ class _Job:
     told: _Told
 
     def blocks(self, pieces: Sequence[Segment]) -> Generator[NDArray[np.float32], None, None]:
-        """The samples of all pieces, (n,) float32 each; the engine makes the next piece while one is taken."""
+        """The samples of all pieces, (n,) float32 each; engines make the next pieces while one is taken."""
         if not any(piece.sounds for piece in pieces):
             yield from itertools.chain.from_iterable(map(self._silence, pieces))
             return
         stopped = Event()
         with (
             temporary_folder(self._bytes(pieces)) as folder,
-            ThreadPoolExecutor(1, thread_name_prefix="engine") as pool,
+            ThreadPoolExecutor(AHEAD, thread_name_prefix="engine") as pool,
         ):
             try:
-                coming = deque(pool.submit(self._make, piece, folder, stopped) for piece in pieces[:1])
-                for number, piece in enumerate(pieces, 1):
+                coming = deque(pool.submit(self._make, piece, folder, stopped) for piece in pieces[:AHEAD])
+                for number, piece in enumerate(pieces, AHEAD):
                     made = coming.popleft().result()
                     coming.extend(
                         pool.submit(self._make, following, folder, stopped) for following in pieces[number : number + 1]
@@ -223,9 +225,9 @@ class _Job:
             self.told(segment, _WRITING, (start + len(block)) / segment.frames)
 
     def _bytes(self, pieces: Sequence[Segment]) -> int:
-        """Two pieces are on the disk at once."""
+        """Of the pieces that are on the disk at once."""
         sizes = [piece.frames + self.sample_rate * sum(_lengths(piece).values()) for piece in pieces if piece.sounds]
-        return int(1.05 * _FRAME * sum(sorted(sizes)[-2:]))
+        return int(1.05 * _FRAME * sum(sorted(sizes)[-1 - AHEAD :]))
 
 
 class _Told:

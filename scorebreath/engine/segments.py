@@ -14,7 +14,7 @@ from scorebreath.engine.clock import BLOCK
 from scorebreath.engine.onsets import Onset
 from scorebreath.units import frame_count
 
-LENGTH = 120.0
+LENGTH = 180.0
 """Seconds after which a piece ends at the next silence."""
 _FREED_LATE = 0.02  # s after its end that a sound surely is gone from the engine
 

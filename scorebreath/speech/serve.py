@@ -7,6 +7,7 @@ the engine hangs.
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import sys
@@ -19,6 +20,8 @@ from scorebreath.speech.wire import WireError, read_message, write_message
 
 Handler = Callable[[dict[str, Any], bytes], tuple[dict[str, Any], bytes]]
 """From a request's fields and payload to the answer's."""
+GARBAGE = 20_000
+"""Objects after which the collector looks for it: requests come and go, and hardly leave any."""
 
 
 def serve(handle: Handler) -> None:
@@ -30,6 +33,8 @@ def serve(handle: Handler) -> None:
     Args:
         handle: What answers.
     """
+    gc.freeze()  # what has been imported is no garbage
+    gc.set_threshold(GARBAGE)
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the program; it ends us by closing stdin
     answers = _claim_stdout()
     waiting: SimpleQueue[tuple[dict[str, Any], bytes]] = SimpleQueue()

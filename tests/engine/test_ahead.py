@@ -47,7 +47,7 @@ def test_what_is_heard_is_what_is_in_the_file(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-def test_no_more_than_two_pieces_are_on_the_disk(tmp_path: Path) -> None:
+def test_few_pieces_are_on_the_disk_at_once(tmp_path: Path) -> None:
     most = 0
 
     def count(_: object) -> None:
@@ -55,7 +55,7 @@ def test_no_more_than_two_pieces_are_on_the_disk(tmp_path: Path) -> None:
         most = max(most, sum(1 for _ in tmp_path.glob("scorebreath-*/*")))
 
     render(breaths(), MemoryStore(), io.BytesIO(), on_samples=count)
-    assert 1 <= most <= 2
+    assert 1 <= most <= 1 + offline.AHEAD
 
 
 def test_an_engine_nobody_waits_for_is_stopped(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -85,6 +85,6 @@ def test_an_engine_nobody_waits_for_is_stopped(monkeypatch: pytest.MonkeyPatch, 
     with pytest.raises(OSError, match="no room"):
         render(breaths(), MemoryStore(), io.BytesIO(), on_samples=full)
     assert time.monotonic() - started < PATIENCE
-    assert [str(error) for error in stopped] == ["the embedded engine was stopped"]
+    assert {str(error) for error in stopped} == {"the embedded engine was stopped"}
     assert not list(tmp_path.iterdir())
     assert not [thread for thread in threading.enumerate() if thread.name.startswith("engine")]
