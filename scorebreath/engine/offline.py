@@ -81,7 +81,7 @@ def render(
         engine: A name (`embedded`, `scsynth`, `scsynth:FILE`) or an engine.
         sample_rate: Of the engine and the file, Hz.
         encoding: Of the file.
-        timeout: Seconds the engine may take for a piece of three minutes or so; None: a minute and half the length of the sound.
+        timeout: Seconds an engine may take for a piece (some minutes); None: a minute and half the length of the piece.
         on_progress: Told how far it is.
         on_samples: Given every block (n,) as it goes into the file.
 
