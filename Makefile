@@ -9,7 +9,7 @@ EXTRAS := test lint
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test lint format bench clean check
+.PHONY: help demo test lint format bench synthdefs clean check
 
 help:
 	@echo "make demo    install into $(VENV), render examples/forecast.txt to $(DEMO)/ and say what was made"
@@ -17,6 +17,7 @@ help:
 	@echo "make lint    ruff and mypy --strict"
 	@echo "make format  let ruff put the code in shape"
 	@echo "make bench   the benchmarks"
+	@echo "make synthdefs  compile the SuperCollider instruments anew, after a change of their sources"
 	@echo "make clean   remove $(VENV), $(DEMO)/ and everything else that was made"
 	@echo "Another Python: make demo PYTHON=python3.12"
 
@@ -41,6 +42,9 @@ format: $(VENV)/.installed-lint
 
 bench: $(VENV)/.installed-test
 	@$(BIN)/python -m benchmarks
+
+synthdefs: $(VENV)/.installed
+	@$(BIN)/python -m scorebreath_synthdefs.compiled
 
 clean:
 	rm -rf $(VENV) $(DEMO) out build dist *.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis
