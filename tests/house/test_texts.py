@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-BINARY = {".wav", ".png"}
+BINARY = {".wav", ".png", ".scsyndef"}
 LONGEST = {"tests": 500, "": 350}
 """Lines of a Python file, in tests and elsewhere."""
 
