@@ -35,7 +35,7 @@ def prepare(text: Path, folder: Path) -> None:
         return send(self, fields, *rest, **options)
 
     def keep(engine: Any, place: Path, **options: Any) -> Path:
-        kept = folder / f"engine{len(runs)}"
+        kept = folder / f"engine-{place.name}"  # several at once
         shutil.copytree(place, kept)
         runs.append({"place": str(kept), "rate": options["sample_rate"], "buffers": options["needs"].buffers})
         return engine_run(engine, place, **options)
