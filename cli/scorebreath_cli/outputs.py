@@ -32,6 +32,11 @@ _MEDIA = re.compile(r"(speech|breath)/[0-9a-f]{64}\.wav\Z")
 _NAMED = re.compile(rb'"path":"((?:speech|breath)/[0-9a-f]{64}\.wav)"')
 
 
+def behind(path: Path) -> Path:
+    """The file a link leads to, which is the one to be written; any other path as it is."""
+    return path.resolve() if path.is_symlink() else path
+
+
 def refuse_existing(folder: Path, names: tuple[str, ...], *, force: bool, besides: Path | None = None) -> None:
     """Say early that an output is there already.
 
@@ -42,7 +47,7 @@ def refuse_existing(folder: Path, names: tuple[str, ...], *, force: bool, beside
         besides: The input itself, which does not count: it is written as it was.
 
     Raises:
-        InputError: Names the first file that would be replaced.
+        InputError: Names the first file that would be replaced, or what is no file and may not be.
         EnvironmentFailure: The folder is a file.
     """
     if folder.exists() and not folder.is_dir():
@@ -51,6 +56,8 @@ def refuse_existing(folder: Path, names: tuple[str, ...], *, force: bool, beside
         path = folder / name
         if path.is_dir():
             raise InputError(f"{path}: is a folder; it stands where a file of that name would go")
+        if path.exists() and not path.is_file():
+            raise InputError(f"{path}: is a device or a pipe, which a file would replace; `-o - > {path}` writes to it")
         if not force and os.path.lexists(path) and not (besides and besides.exists() and path.samefile(besides)):
             raise InputError(f"{path} exists already; --force replaces it")
 

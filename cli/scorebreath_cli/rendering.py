@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from scorebreath.report.preview import Preview
     from scorebreath.score.document import Score
 
+BYTES_A_FRAME = 3
+"""of mix.wav"""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SoundOptions:
@@ -126,6 +129,7 @@ class Renderer:
         from scorebreath.report.preview import seconds_shown
         from scorebreath.score.files import with_media_paths
 
+        _check_room(part, score.duration, self._sound.rate)
         silent = _Writers(with_media_paths(score), media, part, fps)
         try:
             page, others = writer.submit(silent.page), writer.submit(silent.write)
@@ -137,6 +141,24 @@ class Renderer:
             others.result()
         finally:
             silent.stop()
+
+
+def _check_room(folder: Path, duration: float, rate: int) -> None:
+    """Refuse a sound that the disk cannot hold before any of it is made.
+
+    Raises:
+        EnvironmentFailure: Names what is needed and what is free.
+    """
+    from shutil import disk_usage
+
+    from scorebreath.errors import EnvironmentFailure
+    from scorebreath.units import frame_count, plain
+
+    needed, free = BYTES_A_FRAME * frame_count(duration, rate), disk_usage(folder).free
+    if needed > free:
+        raise EnvironmentFailure(
+            f"{folder.parent}: a sound of {plain(duration)} s needs {needed / 1e9:.3g} GB, {free / 1e9:.3g} GB are free"
+        )
 
 
 class _Writers:

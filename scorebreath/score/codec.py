@@ -173,8 +173,8 @@ def parse_json(data: bytes, file: str = "") -> Json:
         raise ScoreError(f"{place}: broken JSON: {error.msg}") from None
     except RecursionError:
         raise ScoreError(f"{_named(file)}nested too deeply") from None
-    except ValueError as error:  # an integer of thousands of digits
-        raise ScoreError(f"{_named(file)}{error}") from None
+    except ValueError:  # Python's own limit
+        raise ScoreError(f"{_named(file)}a number of thousands of digits; expected at most 17") from None
 
 
 def read_whole(path: Path) -> bytes:

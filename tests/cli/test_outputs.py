@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import json
 import os
 import signal
 import stat
@@ -221,3 +222,46 @@ def test_the_later_of_two_runs_into_a_new_folder_says_so(tmp_path: Path) -> None
         fill(tmp_path / "scores", {"a.json": "a", SOUND: "1"})
     assert tree(tmp_path / "scores") == {"a.json": b"a", "b.json": b"b", SOUND: b"1"}
     assert sorted(p.name for p in tmp_path.iterdir()) == ["out", "scores"]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes here")
+@pytest.mark.parametrize("command", ["compile", "curves"])
+@pytest.mark.parametrize("force", [(), ("--force",)])
+def test_a_pipe_or_device_is_never_replaced(tmp_path: Path, command: str, force: tuple[str, ...]) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    assert run("compile", tmp_path / "in.txt", "-o", tmp_path / "in.json", "--voice", "tone").exit_code == 0
+    pipe, link = tmp_path / "pipe", tmp_path / "link"
+    os.mkfifo(pipe)
+    link.symlink_to(pipe)
+    given = tmp_path / ("in.txt" if command == "compile" else "in.json")
+    for place in (pipe, link):
+        result = run(command, given, "-o", place, *force)
+        assert result.exit_code == 2
+        assert "a device or a pipe" in result.stderr
+        assert "--force" not in result.stderr
+    assert stat.S_ISFIFO(pipe.stat().st_mode)
+    assert link.is_symlink()
+
+
+def test_behind_a_link_the_file_is_replaced_and_the_link_stays(tmp_path: Path) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    (tmp_path / "elsewhere").mkdir()
+    target, link = tmp_path / "elsewhere" / "score.json", tmp_path / "link.json"
+    target.write_text("old")
+    link.symlink_to(target)
+    assert run("compile", tmp_path / "in.txt", "-o", link, "--voice", "tone").exit_code == 2
+    assert target.read_text() == "old"
+    assert run("compile", tmp_path / "in.txt", "-o", link, "--voice", "tone", "--force").exit_code == 0
+    assert link.is_symlink()
+    assert target.read_text().startswith("{")
+
+
+def test_a_sound_the_disk_cannot_hold_is_not_begun(tmp_path: Path) -> None:
+    (tmp_path / "in.txt").write_text("Hello.")
+    assert run("compile", tmp_path / "in.txt", "-o", tmp_path / "in.json", "--voice", "tone").exit_code == 0
+    score = json.loads((tmp_path / "in.json").read_text())
+    (tmp_path / "in.json").write_text(json.dumps({**score, "duration": 1e9}))
+    result = run("render", tmp_path / "in.json", "-o", tmp_path / "out")
+    assert result.exit_code == 3
+    assert "GB are free" in result.stderr
+    assert not (tmp_path / "out").exists()

@@ -46,13 +46,13 @@ def compile_(
         from scorebreath.errors import InputError
         from scorebreath_cli.inputs import read_source
         from scorebreath_cli.making import Compiler
-        from scorebreath_cli.outputs import STANDARD, refuse_existing, refuse_own_input, staged
+        from scorebreath_cli.outputs import STANDARD, behind, refuse_existing, refuse_own_input, staged
         from scorebreath_cli.streams import check_stdout
 
         to_stdout = output == STANDARD
         if to_stdout and json_lines:
             raise InputError("--json tells its events on stdout, where -o - would put the score; use -o FILE")
-        path = Path(output)
+        path = behind(Path(output))
         if to_stdout:
             check_stdout()
         else:

@@ -69,12 +69,12 @@ def _write(
 
     from scorebreath.errors import InputError
     from scorebreath_cli.inputs import load_score, read_source
-    from scorebreath_cli.outputs import STANDARD, refuse_existing, refuse_own_input, staged_file
+    from scorebreath_cli.outputs import STANDARD, behind, refuse_existing, refuse_own_input, staged_file
     from scorebreath_cli.settings import frame_rate
     from scorebreath_cli.streams import check_stdout
 
     rate = frame_rate(fps)
-    path = Path(output)
+    path = behind(Path(output))
     suffix = path.suffix.lower().removeprefix(".")
     form = kind or (suffix if suffix in FORMATS else "csv")
     if form not in FORMATS:
