@@ -14,6 +14,7 @@ from scorebreath.compose import parts
 from scorebreath.compose.state import BodyState, Spoken
 from scorebreath.equations.bernardet import volume_lung
 from scorebreath.parameters.derive import LowLevel, derive
+from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.document import Person
 from scorebreath.score.events import Event, Expiration, Inspiration, Lead, Motion
@@ -22,7 +23,7 @@ from scorebreath.units import snap
 
 def person(parameters: Parameters) -> Person:
     """A body at whose rest the driver is 0."""
-    return Person(vital_capacity=snap(parameters.vital_capacity), resting_volume=0.0)
+    return Person(vital_capacity=snap(physique(parameters).vital_capacity), resting_volume=0.0)
 
 
 def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:

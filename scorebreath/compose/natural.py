@@ -13,6 +13,7 @@ from scorebreath.compose import parts
 from scorebreath.compose.state import BodyState, Spoken
 from scorebreath.equations.breath import initiation_volume, inspiration_length
 from scorebreath.parameters.derive import LowLevel, derive
+from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.document import Person
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Lead, Motion, Pause, PauseKind
@@ -38,7 +39,8 @@ RELAXATION = 1.0
 
 def person(parameters: Parameters) -> Person:
     """A body at rest."""
-    return Person(vital_capacity=snap(parameters.vital_capacity), resting_volume=snap(parameters.resting_volume))
+    body = physique(parameters)
+    return Person(vital_capacity=snap(body.vital_capacity), resting_volume=snap(body.resting_volume))
 
 
 def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
@@ -147,7 +149,7 @@ def motion(p: Parameters, low: LowLevel) -> Motion:
     """Weights for one unit of volume: 1 for a full inspiration at the default share, scaled by `motion_gain`."""
     if not p.breath_motion:
         return parts.MOTIONLESS
-    full = p.motion_gain / (1.0 - p.resting_volume)
+    full = p.motion_gain / (1.0 - physique(p).resting_volume)
     breath = p.volume_per_syllable * p.norm_syllables
     return Motion(
         thorax=snap(full * low.volume_thorax / FULL_SHARE["thorax"]),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any, Literal, Self
+from typing import Any, Literal, Self, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -16,7 +16,7 @@ from scorebreath.errors import ParameterError
 from scorebreath.units import plain
 
 OSC_ROOT = "/scorebreath"
-Level = Literal["abstract", "low", "natural", "output"]
+Level = Literal["abstract", "low", "person", "natural", "output"]
 
 
 def _row(
@@ -129,6 +129,60 @@ class Parameters(BaseModel):
         low=1, high=400, level="low", source="B13, X12", cc=103,
     )  # fmt: skip
 
+    # The person: whose body it is
+
+    sex: Literal["male", "female"] = _row(
+        "male", "For vital capacity and vocal tract", level="person", source="physiology 2.1, 3.4"
+    )
+    age: float = _row(
+        30.0, "For vital capacity, vocal tract, and how children and old people breathe", unit="years", low=5, high=95,
+        level="person", source="physiology 2.1, 1.5",
+    )  # fmt: skip
+    height: float = _row(
+        178.0, "For vital capacity and vocal tract", unit="cm", low=80, high=230,
+        level="person", source="physiology 2.1",
+    )  # fmt: skip
+    posture: Literal["upright", "reclined", "supine"] = _row(
+        "upright", "Lying down moves speech to lower volumes and to the belly",
+        level="person", source="physiology 1.5, 2.2, 2.3 (Hixon 1973; Hoit 1995)",
+    )  # fmt: skip
+    condition: Literal["none", "parkinson", "copd"] = _row(
+        "none", "A condition that changes speech breathing",
+        level="person", source="physiology 1.5 (Solomon & Hixon 1993; Lee, Loudon 1993)",
+    )  # fmt: skip
+    capacity_equation: Literal["gli-2022", "ecsc-1993"] = _row(
+        "gli-2022", "Which equation predicts vital capacity: GLI Global 2022 (5 years and older) or ECSC 1993 (adults)",
+        level="person", source="physiology 2.1 (Bowerman 2023; Quanjer 1993)",
+    )  # fmt: skip
+    vital_capacity: float | None = _row(
+        None, "Vital capacity at capacity_lung 100; default: predicted from sex, age and height", unit="L",
+        low=0.5, high=9, level="person", source="physiology 2.1", cc=113,
+    )  # fmt: skip
+    resting_volume: float | None = _row(
+        None, "Volume above residual volume at rest; default: by posture", unit="fraction of VC", low=0.1, high=0.6,
+        level="person", source="physiology 2.2", cc=112,
+    )  # fmt: skip
+    vocal_tract_length: float | None = _row(
+        None, "From lips to larynx, scales the breaths' resonances; default: by sex, age and height", unit="cm",
+        low=8, high=22, level="person", source="physiology 3.4 (Fitch & Giedd 1999)",
+    )  # fmt: skip
+    style: Literal["reading", "spontaneous"] = _row(
+        "reading", "Reading breathes at boundaries of the text, spontaneous speech elsewhere too, and less often",
+        level="person", source="physiology 1.1, 1.2 (Wang 2010; Henderson 1965)",
+    )  # fmt: skip
+    resting_rate: float = _row(
+        15.0, "Breaths a minute at rest", unit="1/min", low=4, high=60,
+        level="person", source="physiology 1.6",
+    )  # fmt: skip
+    tidal_volume: float = _row(
+        0.10, "Depth of a breath at rest", unit="fraction of VC", low=0.02, high=0.5,
+        level="person", source="physiology 1.6 (0.5 L)",
+    )  # fmt: skip
+    breath_variability: float = _row(
+        0.15, "Coefficient of variation of resting cycles", low=0, high=0.6,
+        level="person", source="physiology 1.6 (Benchetrit 2000)",
+    )  # fmt: skip
+
     # The natural model
 
     inspiration_base: float = _row(
@@ -163,13 +217,29 @@ class Parameters(BaseModel):
         0.009, "Volume spent on a syllable", unit="fraction of VC", low=0.001, high=0.03,
         level="natural", source="physiology 2.2", cc=111,
     )  # fmt: skip
-    resting_volume: float = _row(
-        0.38, "Volume above residual volume at rest, upright", unit="fraction of VC", low=0.1, high=0.6,
-        level="natural", source="physiology 2.2", cc=112,
+    termination_volume: float = _row(
+        0.36, "Volume at which speech usually ends, upright", unit="fraction of VC", low=0.1, high=0.6,
+        level="natural", source="physiology 2.2 (Hixon 1973; Hoit & Hixon 1987)",
     )  # fmt: skip
-    vital_capacity: float = _row(
-        5.1, "Vital capacity, for the airflow in litres", unit="L", low=0.5, high=9,
-        level="natural", source="GLI Global 2022: man of 30 years, 178 cm (physiology 2.1)", cc=113,
+    initiation_spread: float = _row(
+        0.05, "Standard deviation of the volume at which speech begins", unit="fraction of VC", low=0, high=0.2,
+        level="natural", source="physiology 2.2 (Winkworth 1994, 1995)",
+    )  # fmt: skip
+    recovery_share: float = _row(
+        0.3, "Share of what the group before left too much or too little that the next breath carries over",
+        low=0, high=1, level="natural", source="physiology 2.2",
+    )  # fmt: skip
+    breathless_pause: float = _row(
+        0.25, "Pause without a breath, inside a breath group", unit="s", low=0, high=2,
+        level="natural", source="physiology 1.4 (Trouvain 2016)",
+    )  # fmt: skip
+    flow_exponent: float = _row(
+        1.66, "A breath's amplitude goes with its flow to this power", low=0, high=3,
+        level="natural", source="physiology 3.1 (Gavriely & Cugell 1996)",
+    )  # fmt: skip
+    breath_envelope: Literal["flow", "trapezoid"] = _row(
+        "flow", "Loudness of a breath over time: as its flow, or the papers' trapezoid (theirs is always that)",
+        level="natural", source="physiology 3.3; B46",
     )  # fmt: skip
 
     # Output
@@ -241,6 +311,16 @@ def bounds(name: str) -> tuple[float, float] | None:
     return None if math.isnan(low) or math.isnan(high) else (low, high)
 
 
+def choices(name: str) -> tuple[str, ...]:
+    """The values of a parameter that is one of a few words; empty for all others.
+
+    >>> choices("style"), choices("age")
+    (('reading', 'spontaneous'), ())
+    """
+    kind = Parameters.model_fields[name].annotation
+    return get_args(kind) if get_origin(kind) is Literal else ()
+
+
 def _problem(name: str, value: object) -> str:
     if name not in Parameters.model_fields:
         import difflib
@@ -250,5 +330,4 @@ def _problem(name: str, value: object) -> str:
     limits = bounds(name)
     if limits:
         return f"{name}={value!r} must be a number in [{plain(limits[0])}, {plain(limits[1])}]"
-    choices = "'bare' or 'sentence'" if name == "period_marker" else "true or false"
-    return f"{name}={value!r} must be {choices}"
+    return f"{name}={value!r} must be {' or '.join(map(repr, choices(name))) or 'true or false'}"

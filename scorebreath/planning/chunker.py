@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from scorebreath.planning.model import BreathGroup, SyllableCounter
+from scorebreath.planning.model import BreathGroup, Part, SyllableCounter
 from scorebreath.planning.units import Unit, UnitReader
 from scorebreath.score.document import Candidate, CutReason, Site
 from scorebreath.script.model import Edge, ScriptWord, Sentence
@@ -95,16 +95,25 @@ class Chunker(ABC):
     def _group(self, cut: Cut, last: bool) -> BreathGroup:
         units = self._units[: cut.count]
         words = tuple(word for unit in units for word in unit.words)
-        source = Span(units[0].start, units[-1].end)
-        return BreathGroup(
-            index=self._index,
-            source=source,
-            text="".join(unit.written for unit in units)[: source.length],
+        whole = Part(
+            source=Span(units[0].start, units[-1].end),
             spoken=say(words),
             words=words,
             syllables=sum(unit.syllables for unit in units),
             sentence_type=units[-1].sentence_type,
             ends_sentence=units[-1].closes,
+        )
+        source = whole.source
+        return BreathGroup(
+            index=self._index,
+            source=source,
+            text="".join(unit.written for unit in units)[: source.length],
+            spoken=whole.spoken,
+            words=words,
+            syllables=whole.syllables,
+            sentence_type=whole.sentence_type,
+            ends_sentence=whole.ends_sentence,
+            parts=(whole,),
             cut=_ending(cut.reason, source.end) if last else cut.reason,
         )
 

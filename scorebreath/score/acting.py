@@ -35,6 +35,8 @@ class State(Event):
     """intensity after the ramp, 0..1"""
     ramp: Number
     """s"""
+    recovery: Number = 0.0
+    """time constant with which it fades by itself after the ramp, s; 0: it stays"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -14,6 +14,9 @@ TOLERANCE = 5e-6
 VOLUME = (0.0, 2.0)
 """Limits of a lung volume, fraction of VC: the papers' capacity goes up to 200 %."""
 GAIN = (0.0, 1000.0)
+PEAK = (0.05, 0.95)
+PUFF_SHARE = 0.6
+"""Share of the time between two laugh puffs in which air flows."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,6 +45,7 @@ class Noise(Part):
         release=FORWARD,
         level_db=(-200.0, 40.0),
         seed=(1, 2**24 - 1),
+        brightness=(0.25, 4.0),
     )
 
     onset: Number
@@ -55,11 +59,17 @@ class Noise(Part):
     release: Number
     """s"""
     level_db: Number
-    """dB of a unit gain over the hold, relative to the voice's reference"""
+    """dB of a unit gain, relative to the voice's reference: RMS over the hold, or of the envelope `flow` over the part
+    that is at least half as loud as its loudest"""
     seed: Whole
     """of the engine's noise, 1..2^24-1"""
     source: str = "synth"
     """`synth`, or the SHA-256 of a recording in the media"""
+    envelope: Literal["trapezoid", "flow"] = "trapezoid"
+    """`trapezoid`: straight ramps (B46); `flow`: amplitude goes with flow^1.66, the flow rising over the attack and falling
+    over the release by a quarter of a sine each (physiology 3.3)"""
+    brightness: Number = 1.0
+    """scales resonances and tilt: faster air sounds brighter (physiology 3.1)"""
 
     def __post_init__(self) -> None:
         """Check the numbers, and that the ramps fill the noise.
@@ -97,6 +107,8 @@ class Motion(Part):
     """shape weight"""
     neck_pitch: Number
     """degrees, chin up positive"""
+    tremor: Number = 0.0
+    """share by which `thorax` trembles, 0..1 (physiology 4.2)"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -107,11 +119,13 @@ class Inspiration(Event):
     limits: ClassVar[Limits] = limits(
         from_volume=VOLUME,
         to_volume=VOLUME,
+        peak=PEAK,
         thorax_share=SHARE,
         sound_nose=GAIN,
         sound_mouth=GAIN,
         nostril_flare=SHARE,
         mouth_open=SHARE,
+        saccades=(1, 20),
     )
     kind: Literal["speech", "tidal", "gasp", "sigh", "sniff"] = "speech"
     from_volume: Number
@@ -119,7 +133,10 @@ class Inspiration(Event):
     to_volume: Number
     """fraction of VC"""
     profile: Profile = "linear"
-    """`linear`: constant flow (the papers' LF); `sine`: half-sine flow"""
+    peak: Number = 0.5
+    """where a `sine`'s flow is highest, share of the duration"""
+    saccades: Whole = 1
+    """the volume is drawn in so many equal gasps, each with the profile and the noise of a whole breath made shorter"""
     thorax_share: Number
     """share of the volume that the thorax takes, 0..1"""
     motion: Motion
@@ -142,18 +159,40 @@ class Expiration(Event):
     """Air out, during speech or by itself (B12)."""
 
     type: ClassVar[str] = "expiration"
-    limits: ClassVar[Limits] = limits(from_volume=VOLUME, to_volume=VOLUME, thorax_share=SHARE)
+    limits: ClassVar[Limits] = limits(
+        from_volume=VOLUME,
+        to_volume=VOLUME,
+        peak=PEAK,
+        thorax_share=SHARE,
+        sound_nose=GAIN,
+        sound_mouth=GAIN,
+        nostril_flare=SHARE,
+        mouth_open=SHARE,
+    )
     kind: Literal["speech", "tidal", "audible", "sigh", "laugh"] = "speech"
     from_volume: Number
     """fraction of VC"""
     to_volume: Number
     """fraction of VC"""
     profile: Profile = "linear"
+    peak: Number = 0.5
+    """where a `sine`'s flow is highest, share of the duration"""
     thorax_share: Number
     motion: Motion
+    sound_nose: Number = 0.0
+    """gain 0.. of the noise through the nose"""
+    sound_mouth: Number = 1.0
+    """gain 0.. of the noise through the mouth"""
+    nostril_flare: Number = 0.0
+    """maximum, 0..1"""
+    mouth_open: Number = 0.0
+    """maximum, 0..1"""
+    face: Trapezoid | None = None
+    """of nostrils and mouth, from the onset on; None: they do not move"""
     noise: Noise | None = None
     puffs: tuple[Number, ...] = ()
-    """onsets of laugh puffs, s"""
+    """onsets of laugh puffs, s, ascending: an equal share of the volume leaves in each, by `profile`, within
+    `PUFF_SHARE` of the time to the next one (or to the end); `noise` sounds in each of them"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -162,7 +201,11 @@ class Hold(Event):
 
     type: ClassVar[str] = "hold"
     limits: ClassVar[Limits] = limits(volume=VOLUME, thorax_share=SHARE)
+    kind: Literal["rest", "held"] = "rest"
+    """`rest`: nothing happens; `held`: the throat is shut on purpose"""
     volume: Number
     """fraction of VC"""
     thorax_share: Number
     motion: Motion
+    noise: Noise | None = None
+    """the throat's catch as it shuts, of a breath that is held"""

@@ -17,8 +17,10 @@ SCHEMA = "scorebreath.score/1"
 E = TypeVar("E", bound=Event)
 RATE = (1.0, 1e6)
 """Limits of a sample rate, Hz."""
-Site = Literal["text end", "paragraph", "sentence", "semicolon", "comma", "line", "marker", "clause", "phrase", "word"]
-"""Kinds of boundary, strongest first."""
+Site = Literal[
+    "text end", "paragraph", "tag", "sentence", "semicolon", "comma", "line", "marker", "clause", "phrase", "word"
+]
+"""Kinds of boundary, strongest first; `tag`: the markup asks for a breath there."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,12 +43,14 @@ class VoiceInfo(Part):
 class Person(Part):
     """The body's lungs."""
 
-    limits: ClassVar[Limits] = limits(vital_capacity=(0.1, 20.0), resting_volume=SHARE)
+    limits: ClassVar[Limits] = limits(vital_capacity=(0.1, 20.0), resting_volume=SHARE, vocal_tract=(5.0, 30.0))
 
     vital_capacity: Number
     """L"""
     resting_volume: Number
     """fraction of VC above residual volume at rest"""
+    vocal_tract: Number | None = None
+    """its length, cm: scales the sounds of breath; None: as the lungs suggest"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

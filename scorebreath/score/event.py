@@ -18,8 +18,10 @@ from scorebreath.score.values import FORWARD, Gridded, Limits, Number, limits
 Origin = Literal["rule", "markup", "user", "performer"]
 Closing = Literal["final", "continuing", "question"]
 SentenceType = Literal["statement", "question", "exclamation"]
-Profile = Literal["linear", "sine"]
-PauseKind = Literal["breath", "edge", "phrase", "sentence", "paragraph", "hesitation", "start", "end"]
+Profile = Literal["linear", "sine", "exponential"]
+"""How volume goes from one level to another: `linear` at constant flow (the papers' LF); `sine` with a flow that rises
+to its highest at `peak` and falls to 0, a quarter of a sine each; `exponential` by the chest's own recoil."""
+PauseKind = Literal["breath", "edge", "phrase", "sentence", "paragraph", "hesitation", "start", "end", "asked"]
 Extension = Mapping[str, Any]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from scorebreath.script.marks import Mark
 from scorebreath.spans import Span, SpokenText
 
 SentenceType = Literal["statement", "question", "exclamation"]
@@ -37,6 +38,8 @@ class ScriptWord:
     """line of the text it stands in, from 0"""
     marked: bool = False
     """a pause marker `_` follows, even where `edge` names something stronger"""
+    after: tuple[Mark, ...] = ()
+    """what the markup asks for between this word and the next"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,6 +59,8 @@ class Sentence:
     """False where the window cut it off: its last edge is then a `word`, `comma`, ... inside the sentence"""
     stanza: int
     """paragraph or stanza, from 0"""
+    before: tuple[Mark, ...] = ()
+    """what the markup asks for before the first word of the text; empty in all other sentences"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,9 +68,12 @@ class Script:
     """A whole text, read."""
 
     text: str
-    """as given, after universal newlines and without a byte order mark"""
+    """what is said: as given, after universal newlines, without a byte order mark and without markup"""
     language: str
     """BCP 47 primary language, lower case: `en`, `de`, ..."""
     poem: bool
     """line ends are phrase edges and stanza ends paragraphs"""
     sentences: tuple[Sentence, ...]
+    """empty only where there are marks"""
+    marks: tuple[Mark, ...] = ()
+    """all of them, in order; each stands also in a sentence's `before` or a word's `after` if there is any word"""

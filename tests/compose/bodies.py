@@ -10,7 +10,7 @@ import numpy as np
 from scorebreath.compose.models import breathing_model
 from scorebreath.compose.state import BodyState, Places, Spoken
 from scorebreath.parameters.table import Parameters
-from scorebreath.planning.model import BreathGroup
+from scorebreath.planning.model import BreathGroup, Part
 from scorebreath.score.document import CutReason, Site
 from scorebreath.score.events import Event, Level, Phone, Pitch
 from scorebreath.spans import Span, join
@@ -22,15 +22,19 @@ RATE = 8000
 
 def spoken(number: int, text: str, syllables: int, seconds: float, site: Site, key: str, **changes: Any) -> Spoken:
     """A group of so many syllables that takes so long to say."""
+    whole: dict[str, Any] = {
+        "source": Span(0, len(text)),
+        "spoken": join([(text, Span(0, len(text)))]),
+        "words": (),
+        "syllables": syllables,
+        "sentence_type": "statement",
+        "ends_sentence": site in ("sentence", "paragraph", "text end"),
+    }
     group = BreathGroup(
         index=number,
-        source=Span(0, len(text)),
         text=text,
-        spoken=join([(text, Span(0, len(text)))]),
-        words=(),
-        syllables=syllables,
-        sentence_type="statement",
-        ends_sentence=site in ("sentence", "paragraph", "text end"),
+        **whole,
+        parts=(Part(**whole),),
         cut=CutReason(site=site, rule="by hand"),
     )
     group = dataclasses.replace(group, **changes)
