@@ -3,19 +3,34 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
+from scorebreath.curves.strokes import Strokes, VolumeEvent, strokes
 from scorebreath.curves.tracks import Array, Index, Mask, Track, track
-from scorebreath.equations import shapes
 from scorebreath.score.document import Person, Score
 from scorebreath.score.events import EVENTS, Expiration, Hold, Inspiration
 
-VolumeEvent = Inspiration | Expiration | Hold
 LEAD = EVENTS[Inspiration.type][1].lead
 """s; how long before its onset an inspiration may change anything"""
-FACTORS = ("thorax_share", "thorax", "abdomen", "shoulder", "neck_pitch")
+FACTORS = ("thorax_share", "thorax", "abdomen", "shoulder", "neck_pitch", "tremor")
 """What the volume above rest is multiplied by, in the columns of `Breathing.factors`."""
+TREMOR_HZ = 7.5
+"""How fast a frightened chest trembles: 6-9 Hz (physiology 4.2)."""
+
+
+class Place(NamedTuple):
+    """Where some times are among the events; each field is shaped like them."""
+
+    event: Index
+    """the event under way, 0 where there is none"""
+    active: Mask
+    """whether there is one"""
+    stroke: Index
+    """its stroke begun last"""
+    progress: Array
+    """how much of the stroke's time has passed, 0..1"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,39 +43,35 @@ class Breathing:
     """(n,) fraction of VC"""
     to_volume: Array
     """(n,) fraction of VC"""
-    sine: Mask
-    """(n,) whether flow is a half sine instead of constant"""
+    strokes: Strokes
     factors: Array
-    """(n, 5) see FACTORS"""
+    """(n, 6) see FACTORS"""
     inspirations: Index
     """(m,) which events are inspirations"""
     reach: int
     """the most inspirations that begin within one LEAD"""
 
-    def locate(self, times: Array) -> tuple[Index, Mask, Array]:
-        """Index of the event under way, whether there is one, and how much of its time has passed (0..1)."""
-        index, active = self.track.at(times)
+    def locate(self, times: Array) -> Place:
+        """The event and the stroke under way at each time."""
+        event, active = self.track.at(times)
         if not self.track.events:
-            return index, active, np.zeros(times.shape)
-        start = self.track.start[index]
-        return index, active, np.clip((times - start) / (self.track.end[index] - start), 0.0, 1.0)
+            return Place(event, active, event, np.zeros(times.shape))
+        return Place(event, active, *self.strokes.at(event, times))
 
-    def volume(self, index: Index, active: Mask, progress: Array) -> Array:
+    def volume(self, at: Place) -> Array:
         """Fraction of VC above residual volume; the resting volume where no event is under way (X15)."""
         if not self.track.events:
-            return np.full(progress.shape, self.person.resting_volume)
-        moved = np.where(self.sine[index], shapes.half_sine_volume(progress), progress)
-        begin = self.from_volume[index]
-        return np.where(active, begin + (self.to_volume[index] - begin) * moved, self.person.resting_volume)
+            return np.full(at.progress.shape, self.person.resting_volume)
+        begin = self.from_volume[at.event]
+        moved = self.strokes.moved(at.event, at.stroke, at.progress)
+        return np.where(at.active, begin + (self.to_volume[at.event] - begin) * moved, self.person.resting_volume)
 
-    def flow(self, index: Index, active: Mask, progress: Array) -> Array:
-        """Derivative of `volume`, fractions of VC a second; where two events touch, the later one's."""
+    def flow(self, at: Place) -> Array:
+        """Derivative of `volume`, fractions of VC a second; where two strokes touch, the later one's."""
         if not self.track.events:
-            return np.zeros(progress.shape)
-        relative = np.where(self.sine[index], shapes.half_sine_flow(progress), 1.0)
-        seconds = self.track.end[index] - self.track.start[index]
-        flow = (self.to_volume[index] - self.from_volume[index]) / seconds * relative
-        return np.where(active & (progress < 1.0), flow, 0.0)
+            return np.zeros(at.progress.shape)
+        change = self.to_volume[at.event] - self.from_volume[at.event]
+        return np.where(at.active, self.strokes.flow(change, at.event, at.stroke, at.progress), 0.0)
 
     def factor(self, name: str, times: Array, index: Index) -> Array:
         """A factor of FACTORS at each time.
@@ -100,7 +111,7 @@ def breathing(score: Score, body: str, person: Person) -> Breathing:
         track=events,
         from_volume=events.column(lambda e: e.volume if isinstance(e, Hold) else e.from_volume),
         to_volume=events.column(lambda e: e.volume if isinstance(e, Hold) else e.to_volume),
-        sine=np.array([not isinstance(e, Hold) and e.profile == "sine" for e in events.events], dtype=np.bool_),
+        strokes=strokes(events),
         factors=np.array(
             [(e.thorax_share, *(getattr(e.motion, name) for name in FACTORS[1:])) for e in events.events]
         ).reshape(-1, len(FACTORS)),

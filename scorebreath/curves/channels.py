@@ -48,7 +48,7 @@ CHANNELS: tuple[Channel, ...] = (
     ),
     Channel(
         "thorax", "", -1, 1, True, "chest shape: 0 at rest, 1 a full inspiration",
-        lambda m: m.above_rest * m.factor("thorax"),
+        lambda m: m.above_rest * m.factor("thorax") * m.tremor,
     ),
     Channel(
         "abdomen", "", -1, 1, True, "belly shape: 0 at rest, 1 a full inspiration",
@@ -59,11 +59,11 @@ CHANNELS: tuple[Channel, ...] = (
         lambda m: m.above_rest * m.factor("shoulder"),
     ),
     Channel(
-        "nostril_flare", "", 0, 1, True, "nostrils flared while breathing in",
+        "nostril_flare", "", 0, 1, True, "nostrils flared while breathing",
         lambda m: m.sources.nostrils.sample(m.times),
     ),
     Channel(
-        "mouth_open", "", 0, 1, True, "mouth opened to breathe in (not to speak)",
+        "mouth_open", "", 0, 1, True, "mouth opened to breathe (not to speak)",
         lambda m: m.sources.mouth.sample(m.times),
     ),
     Channel(

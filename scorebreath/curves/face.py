@@ -1,16 +1,18 @@
-"""Nostrils and mouth while breathing in: trapezoids within the inspiration (B9, X16)."""
+"""Nostrils and mouth while breathing: trapezoids within the inspiration (B9, X16), or within an expiration."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
-from scorebreath.curves.tracks import TOUCH, Array, Track
+from scorebreath.curves.tracks import TOUCH, Array
 from scorebreath.equations.shapes import trapezoid
 from scorebreath.errors import ScoreError
-from scorebreath.score.events import Inspiration
+from scorebreath.score.events import Expiration, Inspiration, Trapezoid
+from scorebreath.units import snap
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +22,7 @@ class FaceShape:
     begin: Array
     """(n,) s; onset less lead"""
     end: Array
-    """(n,) s; of the inspiration"""
+    """(n,) s; of the breath"""
     maximum: Array
     """(n,) 0..1"""
     attack: Array
@@ -45,33 +47,35 @@ class FaceShape:
         return value
 
 
-def face_shape(inspirations: Track[Inspiration], shape: Literal["mouth", "nostril"]) -> FaceShape:
-    """The trapezoids of one shape.
+def face_shape(breaths: Sequence[Inspiration | Expiration], shape: Literal["mouth", "nostril"]) -> FaceShape:
+    """The trapezoids of one shape: of inspirations with their leads, and of expirations that move the face.
+
+    Args:
+        breaths: Of one body, in any order; in those without duration nothing happens.
+        shape: Which.
 
     Raises:
-        ScoreError: A lead is longer than an inspiration's reach, or a trapezoid longer than its inspiration.
+        ScoreError: A trapezoid is longer than its breath.
     """
-    for event in inspirations.events:
-        _check(event)
-    lead = inspirations.column(lambda e: float(getattr(e.lead, shape)))
-    begin = inspirations.start - lead
-    order = np.argsort(begin, kind="stable")
-    begin, end = begin[order], inspirations.end[order]
-    open_at_end = np.searchsorted(begin, end, side="right") - np.arange(len(begin))
-    maximum = inspirations.column(lambda e: e.mouth_open if shape == "mouth" else e.nostril_flare)
+    rows: list[tuple[float, ...]] = []
+    for event in breaths:
+        if event.duration <= 0 or event.face is None:
+            continue
+        _check(event, event.face)
+        lead = float(getattr(event.lead, shape)) if isinstance(event, Inspiration) else 0.0
+        highest = event.mouth_open if shape == "mouth" else event.nostril_flare
+        face = event.face
+        rows.append((event.onset - lead, snap(event.end), highest, face.attack + lead, face.hold, face.release))
+    table = np.array(sorted(rows), dtype=np.float64).reshape(-1, 6)
+    begin, end, maximum, attack, hold, release = table.T.copy()
+    open_at_end = np.searchsorted(begin, end, side="right") - np.arange(len(table))
     return FaceShape(
-        begin=begin,
-        end=end,
-        maximum=maximum[order],
-        attack=(inspirations.column(lambda e: e.face.attack) + lead)[order],
-        hold=inspirations.column(lambda e: e.face.hold)[order],
-        release=inspirations.column(lambda e: e.face.release)[order],
+        begin=begin, end=end, maximum=maximum, attack=attack, hold=hold, release=release,
         depth=int(open_at_end.max(initial=0)),
-    )
+    )  # fmt: skip
 
 
-def _check(event: Inspiration) -> None:
-    face = event.face
+def _check(event: Inspiration | Expiration, face: Trapezoid) -> None:
     total = face.attack + face.hold + face.release
     if total > event.duration + 2 * TOUCH:
         raise ScoreError(

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scorebreath.curves.tracks import TOUCH, Array, Index, Track, track
+from scorebreath.curves.strokes import VolumeEvent, soundings_of
+from scorebreath.curves.tracks import Array, Index, Mask, Track, track
 from scorebreath.equations import shapes
-from scorebreath.equations.breath import mix_level
-from scorebreath.errors import ScoreError
+from scorebreath.equations.breath import FLOW_EXPONENT, flow_loudness, mix_level
 from scorebreath.score.document import Score
-from scorebreath.score.events import Expiration, Inspiration, Noise, Utterance
-from scorebreath.units import FLOOR_DB
+from scorebreath.score.events import Expiration, Hold, Inspiration, Noise, Utterance
+from scorebreath.units import FLOOR_DB, decibels
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,60 +62,72 @@ def speech_level(score: Score, body: str, reference_db: float) -> SpeechLevel:
 
 @dataclass(frozen=True, slots=True)
 class BreathLevel:
-    """The audible breaths of a body."""
+    """The audible breaths of a body, each gasp and puff a row."""
 
     begin: Array
-    """(n,) s"""
+    """(n,) s, ascending"""
     end: Array
     """(n,) s"""
     attack: Array
+    """(n,) s"""
     hold: Array
+    """(n,) s"""
     release: Array
+    """(n,) s"""
     db: Array
-    """(n,) over the hold, dB re reference"""
+    """(n,) at its loudest, dB re reference"""
+    flow: Mask
+    """(n,) whether amplitude follows the flow, instead of straight ramps"""
 
     def sample(self, times: Array) -> Array:
-        """Level of the trapezoid that sounds at each time; FLOOR_DB in between."""
+        """Level of what began last and still sounds at each time; FLOOR_DB in between."""
         if not self.begin.size:
             return np.full(times.shape, FLOOR_DB)
         last = np.searchsorted(self.begin, times, side="right") - 1
         index = np.maximum(last, 0)
-        since = times - self.begin[index]
-        shape = shapes.trapezoid(since, self.attack[index], self.hold[index], self.release[index])
+        ramps = times - self.begin[index], self.attack[index], self.hold[index], self.release[index]
+        shape = shapes.trapezoid(*ramps)
+        if self.flow.any():
+            shape = np.where(self.flow[index], shapes.flow_envelope(*ramps, FLOW_EXPONENT), shape)
         level = np.maximum(self.db[index] + shapes.level_db(shape, 2 * FLOOR_DB), FLOOR_DB)
         return np.where((last >= 0) & (times <= self.end[index]), level, FLOOR_DB)
 
 
 def breath_level(score: Score, body: str) -> BreathLevel:
-    """The audible breaths of one body; an inspiration's level counts the gains of its two sounds.
+    """The audible breaths of one body; levels count the gains of nose and mouth.
 
     Raises:
         ScoreError: A noise is longer than its breath.
     """
     rows: list[tuple[float, ...]] = []
     for event in score.events:
-        if isinstance(event, Inspiration | Expiration) and event.body == body and event.noise is not None:
+        if isinstance(event, Inspiration | Expiration | Hold) and event.body == body and event.noise is not None:
             noise = event.noise
-            _check(event, noise)
-            db = noise.level_db + (_gain_db(event) if isinstance(event, Inspiration) else 0.0)
-            begin = event.onset + noise.onset
-            rows.append((begin, begin + noise.duration, noise.attack, noise.hold, noise.release, db))
-    table = np.array(sorted(rows), dtype=np.float64).reshape(-1, 6)
-    return BreathLevel(*(np.ascontiguousarray(column) for column in table.T))
+            db, follows = loudest_db(noise) + _gain_db(event), float(noise.envelope == "flow")
+            for sounding in soundings_of(event):
+                times = event.onset + sounding.onset, event.onset + sounding.end
+                rows.append((*times, sounding.attack, sounding.hold, sounding.release, db, follows))
+    begin, end, attack, hold, release, level, flow = np.array(sorted(rows), dtype=np.float64).reshape(-1, 7).T.copy()
+    return BreathLevel(begin=begin, end=end, attack=attack, hold=hold, release=release, db=level, flow=flow > 0)
 
 
-def _gain_db(event: Inspiration) -> float:
+def loudest_db(noise: Noise) -> float:
+    """Level of a noise at unit gain where it is loudest: above its `level_db` where only that moment is as loud.
+
+    >>> common = {"onset": 0.0, "duration": 0.5, "level_db": -24.0, "seed": 1, "envelope": "flow"}
+    >>> noise = Noise(attack=0.2, hold=0.0, release=0.3, **common)
+    >>> round(loudest_db(noise), 2)
+    -22.43
+    """
+    if noise.envelope == "trapezoid":
+        return noise.level_db
+    return noise.level_db - decibels(flow_loudness(noise.attack, noise.hold, noise.release, FLOW_EXPONENT))
+
+
+def _gain_db(event: VolumeEvent) -> float:
     """Of nose and mouth together; two silent sounds are silent (the logarithm of nothing is not a number)."""
+    if isinstance(event, Hold):  # the throat has no gain of its own
+        return 0.0
     if event.sound_mouth <= 0 and event.sound_nose <= 0:
         return 2 * FLOOR_DB
     return mix_level(event.sound_mouth, event.sound_nose)
-
-
-def _check(event: Inspiration | Expiration, noise: Noise) -> None:
-    if min(noise.attack, noise.hold, noise.release, noise.onset) < 0 or (
-        noise.onset + noise.duration > event.duration + 2 * TOUCH
-    ):
-        raise ScoreError(
-            f"event {event.id!r}: noise onset={noise.onset:g}, duration={noise.duration:g} must lie within its "
-            f"{event.duration:g} s, and attack, hold, release be >= 0"
-        )

@@ -7,13 +7,13 @@ from functools import cached_property
 
 import numpy as np
 
-from scorebreath.curves.breathing import Breathing, breathing
+from scorebreath.curves.breathing import TREMOR_HZ, Breathing, breathing
 from scorebreath.curves.face import FaceShape, face_shape
 from scorebreath.curves.levels import BreathLevel, SpeechLevel, breath_level, speech_level
-from scorebreath.curves.tracks import Array, track
+from scorebreath.curves.tracks import Array
 from scorebreath.equations.shapes import trapezoid
 from scorebreath.score.document import Body, Score
-from scorebreath.score.events import Inspiration
+from scorebreath.score.events import Expiration, Inspiration
 
 WEIGHT_RAMP = 0.2
 """s in which a host hands its own breathing over at the Score's beginning, and takes it back at its end"""
@@ -38,12 +38,12 @@ def sources(score: Score, body: Body) -> Sources:
     Raises:
         ScoreError: Events contradict each other, or leave their own reach.
     """
-    inspirations = track(list(score.of(Inspiration, body.id)), "inspirations")
+    breaths = [e for e in score.events if isinstance(e, Inspiration | Expiration) and e.body == body.id]
     return Sources(
         duration=score.duration,
         breathing=breathing(score, body.id, body.person),
-        nostrils=face_shape(inspirations, "nostril"),
-        mouth=face_shape(inspirations, "mouth"),
+        nostrils=face_shape(breaths, "nostril"),
+        mouth=face_shape(breaths, "mouth"),
         speech=speech_level(score, body.id, body.voice.reference_db),
         breath=breath_level(score, body.id),
     )
@@ -67,7 +67,7 @@ class Moments:
     @cached_property
     def volume(self) -> Array:
         """Fraction of VC above residual volume, (n,)."""
-        return self._breathing.volume(*self._at)
+        return self._breathing.volume(self._at)
 
     @cached_property
     def above_rest(self) -> Array:
@@ -76,7 +76,12 @@ class Moments:
 
     def factor(self, name: str) -> Array:
         """What `above_rest` is multiplied by, see `breathing.FACTORS`; (n,)."""
-        return self._breathing.factor(name, self.times, self._at[0])
+        return self._breathing.factor(name, self.times, self._at.event)
+
+    @property
+    def tremor(self) -> Array:
+        """What a trembling chest's shape is multiplied by; its phase is the clock's, so it never jumps; (n,)."""
+        return 1.0 + self.factor("tremor") * np.sin(2.0 * np.pi * TREMOR_HZ * self.times)
 
     @cached_property
     def thorax_share(self) -> Array:
@@ -91,7 +96,7 @@ class Moments:
     @property
     def airflow(self) -> Array:
         """L/s, (n,)."""
-        return self._breathing.flow(*self._at) * self._breathing.person.vital_capacity
+        return self._breathing.flow(self._at) * self._breathing.person.vital_capacity
 
     @property
     def weight(self) -> Array:
