@@ -99,7 +99,7 @@ def brightness(flow: float, reference: float) -> float:
     >>> [round(brightness(flow, 1.0), 3) for flow in (0.0, 0.5, 1.0, 2.0, 9.0)]
     [0.7, 0.871, 1.0, 1.149, 1.4]
     """
-    return min(BRIGHTEST, max(DARKEST, (abs(flow) / reference) ** BRIGHTENING))
+    return min(BRIGHTEST, max(DARKEST, float((abs(flow) / reference) ** BRIGHTENING)))
 
 
 def loud_share(exponent: float) -> float:

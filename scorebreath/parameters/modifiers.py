@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
 
+from scorebreath.parameters.columns import COLUMNS
+from scorebreath.parameters.person import person_rows
+from scorebreath.parameters.physique import thorax_share
+from scorebreath.parameters.states import find_state
 from scorebreath.parameters.table import Parameters
+
+RATE_INSPIRATION, RATE_VOLUME = -0.5, -0.8
+"""Powers of the speaking rate: fast speech breathes in faster, and spends less air on a syllable (E; physiology 1.5:
+lengths x 0.85 and 1.1 at rates of 1.3 and 0.75, depths x 1.0 and 1.05, with a group's syllables going by rate^0.7)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,7 +41,7 @@ class Modifiers:
     breath_db: float = 0.0
     """dB by which breaths are louder, on top of what their flow does"""
     variation: float = 0.15
-    """coefficient of variation of resting cycles; speech breaths vary by as much more or less as this differs from 0.15"""
+    """coefficient of variation of resting cycles; speech breaths vary as much more or less as this differs from 0.15"""
     brightness: float = 1.0
     """x resonances"""
     flare: float = 1.0
@@ -67,8 +77,71 @@ class Modifiers:
 def modifiers(p: Parameters, states: Mapping[str, float]) -> Modifiers:
     """All that modifies breathing now.
 
+    States add up, m = 1 + sum of intensity x (m_state - 1); what they give is multiplied by what the person is (age,
+    posture, condition) and how loud and fast it speaks; shares and levels are shifted. Whatever comes of it stays
+    within the bounds of `columns.COLUMNS`.
+
     Args:
-        p: Age, sex, posture, condition, loudness, rate, style; what was set by hand wins.
+        p: Age, sex, posture, condition, loudness, rate; what was set by hand wins over age, posture and condition, and
+            is what states start from.
         states: Intensity of each state, 0..1 (`parameters.states`).
+
+    Raises:
+        InputError: There is no such state.
+
+    >>> modifiers(Parameters(), {}) == Modifiers()
+    True
+    >>> modifiers(Parameters(), {"anxious": 0.5}).rate, modifiers(Parameters(age=80.0), {"anxious": 1.0}).syllables
+    (1.175, 0.56)
     """
-    return Modifiers(thorax_share=1.0 - p.abdomen_share, nose_share=p.nose_share)
+    return _modifiers(p, frozenset(p.model_fields_set), tuple(sorted(states.items())))
+
+
+@lru_cache(maxsize=512)
+def _modifiers(p: Parameters, by_hand: frozenset[str], states: tuple[tuple[str, float], ...]) -> Modifiers:
+    """Cached: `by_hand` is part of the key, as equal parameters may differ in it."""
+    moved = _summed(find_state(name).deviations(min(1.0, max(0.0, level))) for name, level in states)
+    moved["variation"] = moved.get("variation", 0.0) * p.breath_variability / COLUMNS["variation"].neutral
+    person = person_rows(p)
+    values = {name: _combined(name, _neutral(p, name), moved.get(name, 0.0), person) for name in COLUMNS}
+    values["inspiration"] *= p.prosody_rate**RATE_INSPIRATION
+    values["volume"] *= p.prosody_rate**RATE_VOLUME
+    return Modifiers(**{name: _bounded(name, value) for name, value in values.items()})
+
+
+def _summed(rows: Iterable[Mapping[str, float]]) -> dict[str, float]:
+    total: dict[str, float] = {}
+    for row in rows:
+        for name, value in row.items():
+            total[name] = total.get(name, 0.0) + value
+    return total
+
+
+def _neutral(p: Parameters, name: str) -> float:
+    """What states start from: this person's own value."""
+    own = {"nose_share": p.nose_share, "variation": p.breath_variability}
+    if name == "thorax_share":
+        return thorax_share(p)
+    return own.get(name, COLUMNS[name].neutral)
+
+
+def _combined(name: str, neutral: float, moved: float, person: Iterable[Mapping[str, float]]) -> float:
+    """A person's value of a column, with what states moved it by."""
+    value = neutral + moved
+    if COLUMNS[name].kind != "factor":
+        return value + sum(row.get(name, 0.0) for row in person)
+    value = max(value, COLUMNS[name].low)
+    for row in person:
+        value *= 1.0 + row.get(name, 0.0)
+    return value
+
+
+def _bounded(name: str, value: float) -> Any:
+    """Within the column's bounds, on a grid that hides how floats add up."""
+    column = COLUMNS[name]
+    if column.kind == "frequency":
+        if value < 1.0 / column.high:
+            return column.neutral
+        value = 1.0 / value
+    value = round(min(column.high, max(column.low, value)), 9)
+    return round(value) if name == "saccades" else value
