@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 from hypothesis import strategies as st
 
+from scorebreath.curves.curve_set import curves
 from scorebreath.score.document import Body, CutReason, Group, MediaInfo, Person, Score, VoiceInfo
 from scorebreath.score.events import (
     Event,
@@ -160,6 +161,11 @@ def shifted(score: Score, by: float) -> Score:
     return dataclasses.replace(
         score, events=tuple(dataclasses.replace(event, onset=snap(event.onset + by)) for event in score.events)
     )
+
+
+def value(score: Score, name: str, *times: float) -> list[float]:
+    """A channel at some times."""
+    return curves(score).sample(list(times), [name])[:, 0].tolist()  # type: ignore[no-any-return]
 
 
 def _group(

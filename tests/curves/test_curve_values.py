@@ -12,17 +12,12 @@ from scorebreath.curves.breathing import LEAD
 from scorebreath.curves.curve_set import curves
 from scorebreath.equations.bernardet import slope_expiration, slope_inspiration
 from scorebreath.errors import InputError, ScoreError
-from scorebreath.score.document import Score
 from scorebreath.score.events import Hold, Inspiration, Lead, Level, Motion, Noise, Trapezoid, Utterance
 from scorebreath.units import FLOOR_DB
-from tests.curves.scores import MOTION, REST, Breath, build, inspiration, score_of, utterance
+from tests.curves.scores import MOTION, REST, Breath, build, inspiration, score_of, utterance, value
 
 PLAIN = Breath(before=0.0, after=0.0)
 UNIT = Motion(thorax=1.0, abdomen=1.0, shoulder=1.0, neck_pitch=1.0)
-
-
-def value(score: Score, name: str, *times: float) -> list[float]:
-    return curves(score).sample(list(times), [name])[:, 0].tolist()  # type: ignore[no-any-return]
 
 
 def test_the_driver_is_the_papers_saw_tooth() -> None:
