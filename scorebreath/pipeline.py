@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterable, Iterator, Sequence
+import itertools
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from importlib import metadata
 
-from scorebreath.compose.models import breathing_model
+from scorebreath.compose.models import BreathingModel, breathing_model
 from scorebreath.compose.parts import closing
-from scorebreath.compose.state import BodyState, Places, Spoken
+from scorebreath.compose.state import BodyState, Places, Spoken, SpokenPart
+from scorebreath.errors import InputError
 from scorebreath.media.store import FolderStore, MediaStore
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup, SyllableCounter, plan
 from scorebreath.planning.planners import open_planner
 from scorebreath.score.document import Body, Group, MediaInfo, Score, VoiceInfo
 from scorebreath.score.events import Event, Pause
+from scorebreath.script.marks import StateMark
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import read
 from scorebreath.speech.model import Speech, SpeechRequest, Voice
@@ -27,6 +31,15 @@ SENTENCES_AT_ONCE = 200
 """whose syllables a voice is asked for together"""
 
 Progress = Callable[[float], None]
+
+
+@dataclasses.dataclass(slots=True, kw_only=True)
+class _Performer:
+    """A body of the Score while it is being composed."""
+
+    voice: Voice
+    state: BodyState
+    events: list[Event]
 
 
 def compile_text(
@@ -42,6 +55,9 @@ def compile_text(
     lead: float = 0.5,
     tail: float = 1.0,
     file: str = "",
+    states: Mapping[str, float] | None = None,
+    voices: Callable[[str], Voice] | None = None,
+    cast: Mapping[str, Parameters] | None = None,
     on_progress: Progress | None = None,
 ) -> Score:
     """Turn a text into a Score.
@@ -55,13 +71,16 @@ def compile_text(
         language: BCP 47 primary language.
         poem: Whether line ends are phrase edges; None: as the text looks.
         seed: Of every chance.
-        lead: Silence before the first breath, s.
-        tail: Silence after the last event, s.
+        lead: Time before the first breath, s.
+        tail: Time after the body has come back to rest, s.
         file: Name of the text, for messages.
+        states: States the body is in from the beginning, with their intensities (`parameters.states`).
+        voices: Opens a voice by its name, for texts that change the voice; the caller closes it.
+        cast: Parameters of those who speak with another voice, by the voice's name; else as the first one's.
         on_progress: Told the fraction of the text that is done, 0..1.
 
     Returns:
-        The Score; its samples are in `media`.
+        The Score; its samples are in `media`. The body that begins is `body`, others are `body2`, `body3`, ...
 
     Raises:
         InputError: The text, a parameter or a name is wrong.
@@ -70,51 +89,109 @@ def compile_text(
     p = parameters or Parameters()
     breathing = breathing_model(model)
     script = read(text, language=language, poem=poem, file=file)
-    state = BodyState(body=BODY, seed=seed, parameters=p, person=breathing.person(p), time=snap(lead), volume=0.0)
-    state = dataclasses.replace(state, volume=state.person.resting_volume)
+    begun = begin_states(states or {})
+    performers: dict[str, _Performer] = {}
+
+    def performer(name: str) -> _Performer:
+        """Who speaks with a voice; somebody new breathes at rest until now."""
+        if name not in performers:
+            known = cast.get(name, p) if cast else p
+            who = BODY if not performers else f"{BODY}{len(performers) + 1}"
+            performers[name] = _enter(who, voice if not name else _opened(voices, name), known, breathing, seed)
+        return performers[name]
+
+    main = performer("")
+    clock = snap(lead)
+    main.events.append(_silence("start", 0.0, clock))
+    main.state, placed = breathing.act(main.state, begun, "begin")
+    main.events += placed
     groups: list[Group] = []
-    events: list[Event] = [_silence("start", 0.0, state.time)]
     sounds: dict[str, MediaInfo] = {}
-    planned = plan_script(script, parameters=p, model=model, count=voice.syllables)
-    for spoken in speak(planned, voice, media, p):
-        groups.append(_group(spoken))
-        sounds[spoken.media] = _media_info(spoken)
-        state, placed = breathing.step(state, spoken)
-        events += placed
+    planned = plan_script(script, parameters=p, model=model, count=voice.syllables, states=begun, seed=seed)
+    for spoken in speak(planned, lambda name: performer(name).voice, media, p):
+        who = performer(spoken.group.voice)
+        groups.append(_group(spoken, who.state.body))
+        sounds.update((said.media, _media_info(said)) for said in spoken.parts)
+        _go_on(who, breathing.rest(who.state, clock, "rest"))
+        _go_on(who, breathing.step(who.state, spoken))
+        clock = who.state.time
         if on_progress:
-            on_progress(spoken.group.source.end / len(script.text))
-    state, placed = breathing.finish(state)
-    events += [*placed, _silence("end", state.time, snap(tail))]
-    details = voice.details
+            on_progress(min(1.0, spoken.group.source.end / len(script.text)))
+    if not groups:
+        _go_on(main, breathing.rest(main.state, clock, "rest"))
+        _go_on(main, breathing.act(main.state, script.marks, "act"))
+    for who in performers.values():
+        _go_on(who, breathing.finish(who.state))
+    clock = max(who.state.time for who in performers.values())
+    end = snap(clock + snap(tail))
+    main.events.append(_silence("end", clock, snap(tail)))
+    for who in performers.values():
+        _go_on(who, breathing.rest(who.state, end, "rest"))
     return Score(
         made_by=made_by(),
         seed=seed,
         language=script.language,
         model=model,
         text=script.text,
-        duration=snap(state.time + snap(tail)),
-        bodies=(
-            Body(
-                id=BODY,
-                voice=VoiceInfo(
-                    engine=details.engine,
-                    voice=details.voice,
-                    version=details.version,
-                    licence=details.licence,
-                    sample_rate=details.sample_rate,
-                    reference_db=snap(voice.reference_db),
-                ),
-                person=state.person,
-                parameters=p.set_by_hand(),
-            ),
-        ),
+        duration=end,
+        bodies=tuple(_body(who) for who in performers.values()),
         media=sounds,
         groups=tuple(groups),
-        events=tuple(events),
+        events=tuple(event for who in performers.values() for event in who.events),
     )
 
 
-def plan_script(script: Script, *, parameters: Parameters, model: str, count: SyllableCounter) -> Iterator[BreathGroup]:
+def begin_states(states: Mapping[str, float]) -> tuple[StateMark, ...]:
+    """Marks that put a body into states from the beginning."""
+    return tuple(
+        StateMark(at=0, written=f"state {name}", name=name, intensity=intensity, ramp=0.0)
+        for name, intensity in states.items()
+    )
+
+
+def _enter(who: str, voice: Voice, p: Parameters, breathing: BreathingModel, seed: int) -> _Performer:
+    person = breathing.person(p)
+    state = BodyState(body=who, seed=seed, parameters=p, person=person, time=0.0, volume=person.resting_volume)
+    return _Performer(voice=voice, state=state, events=[])
+
+
+def _opened(voices: Callable[[str], Voice] | None, name: str) -> Voice:
+    if voices is None:
+        raise InputError(f"the text changes to the voice {name!r}, and nobody opens voices here; pass `voices`")
+    return voices(name)
+
+
+def _go_on(who: _Performer, done: tuple[BodyState, list[Event]]) -> None:
+    who.state, placed = done
+    who.events += placed
+
+
+def _body(who: _Performer) -> Body:
+    details = who.voice.details
+    return Body(
+        id=who.state.body,
+        voice=VoiceInfo(
+            engine=details.engine,
+            voice=details.voice,
+            version=details.version,
+            licence=details.licence,
+            sample_rate=details.sample_rate,
+            reference_db=snap(who.voice.reference_db),
+        ),
+        person=who.state.person,
+        parameters=who.state.parameters.set_by_hand(),
+    )
+
+
+def plan_script(
+    script: Script,
+    *,
+    parameters: Parameters,
+    model: str,
+    count: SyllableCounter,
+    states: Sequence[StateMark] = (),
+    seed: int = 0,
+) -> Iterator[BreathGroup]:
     """Breath groups of a script, as the model's planner cuts them (the papers' planners count with pyphen)."""
     planner = open_planner(model, parameters, script.language, count, poem=script.poem)
     return plan(planner, _counted(script.sentences, count))
@@ -128,28 +205,54 @@ def _counted(sentences: Sequence[Sentence], count: SyllableCounter) -> Iterator[
         yield from block
 
 
-def speak(groups: Iterable[BreathGroup], voice: Voice, media: MediaStore, parameters: Parameters) -> Iterator[Spoken]:
-    """Have each group spoken, its samples put into `media`; the voice works ahead of whoever takes them."""
-    waiting: list[BreathGroup] = []
+def speak(
+    groups: Iterable[BreathGroup], voice_of: Callable[[str], Voice], media: MediaStore, parameters: Parameters
+) -> Iterator[Spoken]:
+    """Have each group spoken, its samples put into `media`; a voice works ahead of whoever takes what it says."""
+    places = Places()
+    numbers = itertools.count(1)
+    for name, run in itertools.groupby(groups, key=lambda group: group.voice):
+        voice = voice_of(name)
+        waiting: deque[BreathGroup] = deque()
+        said = iter(voice.speak_all(_requests(run, waiting, parameters)))
+        while True:
+            first = next(said, None)
+            if first is None:
+                break
+            group = waiting.popleft()
+            speeches = [first, *itertools.islice(said, len(group.parts) - 1)]
+            yield Spoken(
+                group=group,
+                id=f"{BODY}.g{next(numbers)}",
+                place=places.key(group.text),
+                parts=tuple(
+                    SpokenPart(part=part, speech=speech, media=media.put(speech.samples, speech.sample_rate, "speech"))
+                    for part, speech in zip(group.parts, speeches, strict=True)
+                ),
+            )
 
-    def requests() -> Iterator[SpeechRequest]:
-        before = ""
-        for group in groups:
-            waiting.append(group)
+
+def _requests(
+    groups: Iterable[BreathGroup], waiting: deque[BreathGroup], parameters: Parameters
+) -> Iterator[SpeechRequest]:
+    before = ""
+    for group in groups:
+        waiting.append(group)
+        for part in group.parts:
+            prosody = part.prosody
             yield SpeechRequest(
-                text=group.spoken,
-                closing=closing(group),
-                rate=parameters.prosody_rate,
-                pitch=parameters.prosody_pitch,
+                text=part.spoken,
+                closing=closing(part),
+                rate=_within(parameters.prosody_rate * (prosody.rate if prosody else 1.0)),
+                pitch=_within(parameters.prosody_pitch * (prosody.pitch if prosody else 1.0)),
                 before=before,
             )
-            before = group.spoken.text
+            before = part.spoken.text
 
-    places = Places()
-    for number, speech in enumerate(voice.speak_all(requests()), 1):
-        group = waiting.pop(0)
-        name = media.put(speech.samples, speech.sample_rate, "speech")
-        yield Spoken(group=group, id=f"{BODY}.g{number}", place=places.key(group.text), speech=speech, media=name)
+
+def _within(ratio: float) -> float:
+    """What a voice can do."""
+    return min(2.0, max(0.5, ratio))
 
 
 def made_by() -> str:
@@ -160,11 +263,11 @@ def made_by() -> str:
         return "scorebreath"
 
 
-def _group(spoken: Spoken) -> Group:
+def _group(spoken: Spoken, body: str) -> Group:
     group = spoken.group
     return Group(
         id=spoken.id,
-        body=BODY,
+        body=body,
         source=(group.source.start, group.source.end),
         text=group.text,
         syllables=group.syllables,
@@ -173,10 +276,10 @@ def _group(spoken: Spoken) -> Group:
     )
 
 
-def _media_info(spoken: Spoken) -> MediaInfo:
-    speech: Speech = spoken.speech
+def _media_info(said: SpokenPart) -> MediaInfo:
+    speech: Speech = said.speech
     return MediaInfo(
-        path=FolderStore.path(spoken.media, "speech"),
+        path=FolderStore.path(said.media, "speech"),
         frames=len(speech.samples),
         sample_rate=speech.sample_rate,
         kind="speech",

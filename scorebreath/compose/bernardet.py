@@ -10,14 +10,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scorebreath.compose import parts
+from scorebreath.compose import marked, parts
+from scorebreath.compose.chances import Chances
+from scorebreath.compose.placer import Placer
 from scorebreath.compose.state import BodyState, Spoken
 from scorebreath.equations.bernardet import volume_lung
 from scorebreath.parameters.derive import LowLevel, derive
 from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.document import Person
-from scorebreath.score.events import Event, Expiration, Inspiration, Lead, Motion
+from scorebreath.score.events import Event, Inspiration, Lead, Motion
+from scorebreath.script.marks import Mark
 from scorebreath.units import snap
 
 
@@ -29,51 +32,84 @@ def person(parameters: Parameters) -> Person:
 def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
     """Place one group: breathe in, then speak while breathing out."""
     p, low = state.parameters, derive(state.parameters)
+    chances = Chances(seed=state.seed, body=state.body, place=spoken.place)
+    placer = Placer(state=state, id=spoken.id, group=spoken.id, chances=chances)
+    breath, named = marked.before(placer, spoken.group.before)
+    inspiration = _inspiration(placer, spoken, p, low)
+    if breath is not None:
+        inspiration = replace(
+            inspiration, origin="markup", rule=f"asked: {breath.written}; {inspiration.rule}",
+            kind="gasp" if breath.name == "gasp" else "speech",
+        )  # fmt: skip
+    placer.events.append(inspiration)
+    placer.time, placer.volume = snap(inspiration.end), inspiration.to_volume
+    for mark in named:
+        placer.marker(mark, placer.time)
+    _speak(placer, spoken, low)
+    marked.after(placer, spoken.group.after)
+    return placer.done(site=spoken.group.cut.site)
+
+
+def finish(state: BodyState) -> tuple[BodyState, list[Event]]:
+    """Nothing: the driver is back at 0."""
+    return state, []
+
+
+def rest(state: BodyState, until: float, what: str) -> tuple[BodyState, list[Event]]:
+    """Nothing: the model knows no breathing at rest (X15)."""
+    return replace(state, time=max(state.time, until)), []
+
+
+def act(state: BodyState, marks: tuple[Mark, ...], what: str) -> tuple[BodyState, list[Event]]:
+    """Do what the markup asks for, without anything to say."""
+    if not marks:
+        return state, []
+    chances = Chances(seed=state.seed, body=state.body, place=what)
+    placer = Placer(state=state, id=f"{state.body}.{what}", chances=chances)
+    marked.after(placer, marks)
+    return placer.done()
+
+
+def _inspiration(placer: Placer, spoken: Spoken, p: Parameters, low: LowLevel) -> Inspiration:
     syllables = spoken.group.syllables
     volume = snap(volume_lung(p.capacity_lung, syllables, low.length_utterance))
     length = snap(low.length_inspiration)
-    speech = parts.utterance(state, spoken, low, snap(state.time + length))
-    nostril_flare, mouth_open = parts.face(state, low)
-    moved = motion(p, low)
-    share = snap(1.0 - p.abdomen_share)
-    inspiration = Inspiration(
+    nostril_flare, mouth_open = parts.face(p, low)
+    return Inspiration(
         id=f"{spoken.id}.in",
-        body=state.body,
+        body=placer.state.body,
         group=spoken.id,
-        onset=state.time,
+        onset=placer.time,
         duration=length,
         rule=f"B6 B7: {syllables} of {low.length_utterance:g} syllables",
-        from_volume=0.0,
-        to_volume=volume,
-        thorax_share=share,
-        motion=moved,
+        from_volume=placer.volume,
+        to_volume=max(placer.volume, volume),
+        thorax_share=snap(1.0 - p.abdomen_share),
+        motion=motion(p, low),
         sound_nose=snap(low.amplitude_sound_nose),
         sound_mouth=snap(low.amplitude_sound_mouth),
         nostril_flare=nostril_flare,
         mouth_open=mouth_open,
         face=parts.ramps(length),
         lead=Lead(),
-        noise=parts.breath_noise(state, spoken, onset=0.0, length=length),
+        noise=parts.trapezoid_noise(placer.state, spoken, onset=0.0, length=length),
     )
-    expiration = Expiration(
-        id=f"{spoken.id}.out",
-        body=state.body,
-        group=spoken.id,
-        onset=speech.onset,
-        duration=speech.duration,
-        rule="B12",
-        from_volume=volume,
-        to_volume=0.0,
-        thorax_share=share,
-        motion=moved,
-    )
-    after = replace(state, time=snap(speech.end), volume=0.0, site=spoken.group.cut.site)
-    return after, [inspiration, speech, expiration]
 
 
-def finish(state: BodyState) -> tuple[BodyState, list[Event]]:
-    """Nothing: the driver is back at 0."""
-    return state, []
+def _speak(placer: Placer, spoken: Spoken, low: LowLevel) -> None:
+    """The speech; where the markup divides it, each part lets out its share of the driver."""
+    left = sum(said.speech.duration for said in spoken.parts)
+    for number, said in enumerate(spoken.parts):
+        if number:
+            for index, mark in enumerate(said.part.before):
+                marked.heed(placer, mark, f"part{number}.{index}")
+        speech = parts.utterance(placer.state, spoken, said, low=low, onset=placer.time, number=number)
+        placer.events.append(speech)
+        last = number == len(spoken.parts) - 1
+        to = 0.0 if last else placer.volume * (1.0 - said.speech.duration / left)
+        left -= said.speech.duration
+        placer.spend(speech.onset, speech.duration, to, "B12", motion(placer.p, low))
+        marked.inside(placer, speech, said)
 
 
 def motion(p: Parameters, low: LowLevel) -> Motion:

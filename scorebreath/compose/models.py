@@ -12,27 +12,36 @@ from scorebreath.errors import InputError, did_you_mean
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.document import Person
 from scorebreath.score.events import Event
+from scorebreath.script.marks import Mark
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BreathingModel:
-    """The three functions of a breathing model."""
+    """The functions of a breathing model."""
 
     person: Callable[[Parameters], Person]
-    """the body's lungs"""
+    """the body that breathes"""
     step: Callable[[BodyState, Spoken], tuple[BodyState, list[Event]]]
     """places one group"""
     finish: Callable[[BodyState], tuple[BodyState, list[Event]]]
     """what follows the last group"""
+    rest: Callable[[BodyState, float, str], tuple[BodyState, list[Event]]]
+    """what it does until a time while it has nothing to say; the text names what for"""
+    act: Callable[[BodyState, tuple[Mark, ...], str], tuple[BodyState, list[Event]]]
+    """does what markup asks for that belongs to no group"""
 
 
-_BERNARDET = BreathingModel(person=bernardet.person, step=bernardet.step, finish=bernardet.finish)
+_BERNARDET = BreathingModel(
+    person=bernardet.person, step=bernardet.step, finish=bernardet.finish, rest=bernardet.rest, act=bernardet.act
+)
 
 MODELS: Mapping[str, BreathingModel] = MappingProxyType(
     {
         "bernardet-2017": _BERNARDET,
         "bernardet-2019": _BERNARDET,
-        "natural": BreathingModel(person=natural.person, step=natural.step, finish=natural.finish),
+        "natural": BreathingModel(
+            person=natural.person, step=natural.step, finish=natural.finish, rest=natural.rest, act=natural.act
+        ),
     }
 )
 """Each model has a planner of the same name."""

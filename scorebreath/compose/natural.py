@@ -1,199 +1,199 @@
-"""The natural model, first version: lungs that start from rest, breaths that follow what is to be said.
+"""The natural model: lungs within their levels, breaths that follow what is to be said and how the body feels.
 
-A breath is as long and as deep as the coming group asks (physiology 1.3, 2.2); a short silence stands before and after
-it (physiology 1.4); mouth and nostrils open ahead of the flow; the sound is shorter than the movement.
+What is breathed in is what will be spent, above the level where speech usually ends; a part of what the last group left
+too much or too little is carried over (physiology 2.2). The inspiration is the longer the more is to be said, and lasts
+longer or shorter by the boundary and by chance (physiology 1.3); a silence stands before and after it (physiology 1.4);
+mouth and nostrils open ahead of the flow, and its sound is as loud and bright as the air is fast. States move all of
+this together (physiology 4.2, B55, B60).
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from scorebreath import chance
-from scorebreath.compose import parts
-from scorebreath.compose.state import BodyState, Spoken
-from scorebreath.equations.breath import initiation_volume, inspiration_length
-from scorebreath.parameters.derive import LowLevel, derive
+from scorebreath.compose import acts, marked, parts, timing
+from scorebreath.compose.acts import Asked, asked
+from scorebreath.compose.chances import Chances
+from scorebreath.compose.idle import RELAXATION, relax, wait
+from scorebreath.compose.lungs import TOP, initiation
+from scorebreath.compose.placer import Placer
+from scorebreath.compose.sounds import INITIAL_DB, Air
+from scorebreath.compose.state import BodyState, Spoken, SpokenPart
 from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
+from scorebreath.planning.model import BreathGroup
 from scorebreath.score.document import Person
-from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Lead, Motion, Pause, PauseKind
+from scorebreath.score.events import Event
+from scorebreath.script.marks import Act, Mark
 from scorebreath.units import snap
 
-TERMINATION = 0.36
-"""Where speech usually stops, fraction of VC (physiology 2.2; Hixon 1973)."""
-SITE_FACTOR = {"word": 0.7, "phrase": 0.7, "paragraph": 1.15}
-"""Inspirations are shorter where the text has no boundary, longer after a paragraph (physiology 1.3)."""
-FACE_LEAD = 0.08
-"""s that mouth and nostrils move ahead of the flow (physiology 6)."""
-NOISE_DELAY = 0.04
-"""s of flow too slow to be heard (physiology 1.4, 8)."""
-FULL_SHARE = {"thorax": 0.65, "abdomen": 0.35}
-"""Shares at which a full inspiration is a weight of 1 (physiology 2.3)."""
-SHOULDER = 0.5
-"""Shoulder weight of a full inspiration in quiet speech (physiology 2.4: 10 of 20 mm)."""
-SMALLEST = 0.02
-"""Volume of the smallest breath before speech, fraction of VC: below it nobody would breathe in."""
-RELAXATION = 1.0
-"""s from the last word back to rest."""
+VOLUME_VARIATION = 0.5
+"""What a syllable takes varies from group to group by so many times as much as resting cycles do."""
+NOTHING = 2e-6
+"""s that are no time: sums of numbers on the grid."""
+SIGH_SPREAD = 0.3
+"""Coefficient of variation of the time between sighs."""
 
 
 def person(parameters: Parameters) -> Person:
-    """A body at rest."""
+    """The body of the parameters' person; `capacity_lung` scales its lungs."""
     body = physique(parameters)
-    return Person(vital_capacity=snap(body.vital_capacity), resting_volume=snap(body.resting_volume))
+    return Person(
+        vital_capacity=snap(min(20.0, max(0.1, body.vital_capacity * parameters.capacity_lung / 100.0))),
+        resting_volume=snap(body.resting_volume),
+        vocal_tract=snap(body.vocal_tract),
+    )
 
 
 def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
-    """Place one group: breathe in, wait an instant, speak, and be silent for as long as the boundary asks."""
-    p, low = state.parameters, derive(state.parameters)
-    moved, share = motion(p, low), snap(1.0 - p.abdomen_share)
-    inspiration = _inspiration(state, spoken, low, moved, share)
-    edge = snap(p.silence_after_breath)
-    speech = parts.utterance(state, spoken, low, snap(inspiration.end + edge))
-    expiration = Expiration(
-        id=f"{spoken.id}.out",
-        body=state.body,
-        group=spoken.id,
-        onset=speech.onset,
-        duration=speech.duration,
-        rule=f"physiology 2.2: {p.volume_per_syllable:g} VC a syllable",
-        from_volume=inspiration.to_volume,
-        to_volume=min(inspiration.to_volume, snap(TERMINATION)),
-        thorax_share=share,
-        motion=moved,
-    )
-    kind, silence = _silence(p, spoken)
-    onset = snap(speech.end)
-
-    def hold(name: str, onset: float, duration: float, volume: float) -> Hold:
-        return Hold(
-            id=f"{spoken.id}.{name}",
-            body=state.body,
-            group=spoken.id,
-            onset=onset,
-            duration=duration,
-            rule="physiology 1.4",
-            volume=volume,
-            thorax_share=share,
-            motion=moved,
-        )
-
-    pause = Pause(
-        id=f"{spoken.id}.pause",
-        body=state.body,
-        group=spoken.id,
-        onset=onset,
-        duration=silence,
-        rule=f"physiology 1.4: {kind}",
-        kind=kind,
-    )
-    events: list[Event] = [
-        inspiration,
-        hold("ready", snap(inspiration.end), edge, inspiration.to_volume),
-        speech,
-        expiration,
-        hold("rest", onset, silence, expiration.to_volume),
-        pause,
-    ]
-    after = replace(state, time=snap(onset + silence), volume=expiration.to_volume, site=spoken.group.cut.site)
-    return after, events
+    """Place one group: what the markup asks for before it, the breath, the speech, the silence after it."""
+    chances = Chances(seed=state.seed, body=state.body, place=spoken.place)
+    placer = Placer(state=state, id=spoken.id, group=spoken.id, chances=chances)
+    breath, named = marked.before(placer, spoken.group.before)
+    placer.feel()
+    _sigh_by_itself(placer)
+    _inspire(placer, spoken, breath)
+    for mark in named:
+        placer.marker(mark, placer.time)
+    _speak(placer, spoken)
+    _fall_silent(placer, spoken)
+    marked.after(placer, spoken.group.after)
+    return placer.done(site=spoken.group.cut.site)
 
 
 def finish(state: BodyState) -> tuple[BodyState, list[Event]]:
-    """Back to rest after the last word: below the resting level the chest fills by its own recoil."""
-    rest = state.person.resting_volume
-    if state.volume == rest:
+    """Back to rest after the last word."""
+    placer = _alone(state, "end")
+    relax(placer, RELAXATION)
+    return placer.done()
+
+
+def rest(state: BodyState, until: float, what: str) -> tuple[BodyState, list[Event]]:
+    """Breathe at rest until a time."""
+    if until - state.time <= NOTHING:
         return state, []
-    p = state.parameters
-    moved, share = motion(p, derive(p)), snap(1.0 - p.abdomen_share)
-    rule = "physiology 2.2: to the resting level"
-    event: Event
-    if state.volume > rest:
-        event = Expiration(
-            id=f"{state.body}.rest",
-            body=state.body,
-            onset=state.time,
-            duration=RELAXATION,
-            rule=rule,
-            kind="tidal",
-            from_volume=state.volume,
-            to_volume=rest,
-            profile="sine",
-            thorax_share=share,
-            motion=moved,
-        )
-    else:
-        event = Inspiration(
-            id=f"{state.body}.rest",
-            body=state.body,
-            onset=state.time,
-            duration=RELAXATION,
-            rule=rule,
-            kind="tidal",
-            from_volume=state.volume,
-            to_volume=rest,
-            profile="sine",
-            thorax_share=share,
-            motion=moved,
-            sound_nose=0.0,
-            sound_mouth=0.0,
-            nostril_flare=0.0,
-            mouth_open=0.0,
-            face=parts.ramps(RELAXATION),
-            lead=Lead(),
-        )
-    return replace(state, time=snap(state.time + RELAXATION), volume=rest), [event]
+    placer = _alone(state, what)
+    wait(placer, until)
+    return placer.done()
 
 
-def motion(p: Parameters, low: LowLevel) -> Motion:
-    """Weights for one unit of volume: 1 for a full inspiration at the default share, scaled by `motion_gain`."""
-    if not p.breath_motion:
-        return parts.MOTIONLESS
-    full = p.motion_gain / (1.0 - physique(p).resting_volume)
-    breath = p.volume_per_syllable * p.norm_syllables
-    return Motion(
-        thorax=snap(full * low.volume_thorax / FULL_SHARE["thorax"]),
-        abdomen=snap(full * low.volume_abdomen / FULL_SHARE["abdomen"]),
-        shoulder=snap(full * SHOULDER),
-        neck_pitch=snap(p.motion_gain * p.amplitude_neck_motion / breath),
+def act(state: BodyState, marks: tuple[Mark, ...], what: str) -> tuple[BodyState, list[Event]]:
+    """Do what the markup asks for, without anything to say."""
+    if not marks:
+        return state, []
+    placer = _alone(state, what)
+    marked.after(placer, marks)
+    return placer.done()
+
+
+def _alone(state: BodyState, what: str) -> Placer:
+    """A placer for what belongs to no group."""
+    place = f"{what}@{state.waits}"
+    return Placer(
+        state=replace(state, waits=state.waits + 1),
+        id=f"{state.body}.{what}{state.waits or ''}",
+        chances=Chances(seed=state.seed, body=state.body, place=place),
     )
 
 
-def _inspiration(state: BodyState, spoken: Spoken, low: LowLevel, moved: Motion, share: float) -> Inspiration:
-    p, syllables = state.parameters, spoken.group.syllables
-    draw = float(chance.stream(state.seed, state.body, "inspiration.length", spoken.place).normal())
-    factor = SITE_FACTOR.get(state.site, 1.0)
-    base, slope = p.inspiration_base, p.inspiration_per_syllable
-    length = snap(inspiration_length(base, slope, syllables, p.inspiration_spread * draw, factor))
-    volume = max(snap(state.volume + SMALLEST), snap(initiation_volume(TERMINATION, p.volume_per_syllable, syllables)))
-    nostril_flare, mouth_open = parts.face(state, low)
-    return Inspiration(
-        id=f"{spoken.id}.in",
-        body=state.body,
-        group=spoken.id,
-        onset=state.time,
-        duration=length,
-        rule=f"physiology 1.3: {syllables} syllables to come, after {state.site}",
-        from_volume=state.volume,
-        to_volume=volume,
-        profile="sine",
-        thorax_share=share,
-        motion=moved,
-        sound_nose=snap(low.amplitude_sound_nose),
-        sound_mouth=snap(low.amplitude_sound_mouth),
-        nostril_flare=nostril_flare,
-        mouth_open=mouth_open,
-        face=parts.ramps(length),
-        lead=Lead(mouth=FACE_LEAD, nostril=FACE_LEAD),
-        noise=parts.breath_noise(state, spoken, onset=NOISE_DELAY, length=snap(length - NOISE_DELAY)),
+def _sigh_by_itself(placer: Placer) -> None:
+    """Some states sigh now and then, between sentences."""
+    state, m = placer.state, placer.modifiers
+    if m.sigh_interval <= 0 or state.site not in ("sentence", "paragraph"):
+        return
+    if placer.time - state.sighed > placer.chances.about("sigh.interval", m.sigh_interval, SIGH_SPREAD):
+        acts.perform(placer, "sigh", Asked(rule="physiology 4.2: sighs by itself"))
+        placer.state = replace(placer.state, sighed=placer.time)
+
+
+def _inspire(placer: Placer, spoken: Spoken, breath: Act | None) -> None:
+    """The breath for what is to be said: as deep, as long, as loud as it must be."""
+    p, m, state, chances = placer.p, placer.modifiers, placer.state, placer.chances
+    syllables = spoken.group.syllables
+    need = syllables * _per_syllable(placer)
+    deviation = p.initiation_spread * chances.normal("inspiration.volume") * m.variation / timing.NEUTRAL_VARIATION
+    to = initiation(placer.levels, placer.volume, need, p.recovery_share, deviation)
+    left = to - placer.levels.floor
+    if need > left + 1e-6:
+        _warn(placer, spoken.group, need, left)
+    if (breath and breath.name == "gasp") or (not breath and chances.happens("gasp", m.gasp_chance)):
+        how = asked(breath) if breath else Asked(rule="physiology 4.2: gasps")
+        acts.gasp(placer, min(TOP, to), how)
+        return
+    wishes = state.breathing
+    louder = (breath.level_db if breath else 0.0) + (wishes.level_db if wishes else 0.0)
+    longer = (breath.length if breath else 1.0) * (wishes.length if wishes else 1.0)
+    length = timing.speech_inspiration(p, m, chances, syllables=syllables, site=state.site, asked=longer)
+    if breath and breath.seconds is not None:
+        length = breath.seconds
+    if state.site in ("text end", "paragraph"):
+        louder += INITIAL_DB
+    if wishes and wishes.silent and not breath:
+        louder = -200.0
+    rule = f"physiology 1.3: {syllables} syllables to come, after {state.site}"
+    placer.inhale(
+        "in", to, length, rule=f"asked: {breath.written}" if breath else rule, air=Air(extra_db=louder),
+        saccades=m.saccades, origin="markup" if breath else "rule",
+    )  # fmt: skip
+    if chances.happens("hold", m.hold_chance):
+        placer.hold("held", chances.about("hold.length", m.hold_length, 0.3), rule="physiology 4.2: holds", held=True)
+
+
+def _warn(placer: Placer, group: BreathGroup, need: float, left: float) -> None:
+    text = " ".join(group.text.split())
+    placer.warn(
+        "lung-budget",
+        f"{group.syllables} syllables need {need:.0%} of vital capacity and {max(0.0, left):.0%} are there: "
+        f"{text if len(text) <= 60 else text[:57] + '...'}",
     )
 
 
-def _silence(p: Parameters, spoken: Spoken) -> tuple[PauseKind, float]:
-    """Kind and length of the silence after a group."""
-    site = spoken.group.cut.site
-    if site in ("paragraph", "text end"):
-        return "paragraph", snap(p.silence_after_paragraph)
-    if site == "sentence":
-        return "sentence", snap(p.silence_after_sentence)
-    return "edge", snap(p.silence_before_breath)
+def _per_syllable(placer: Placer) -> float:
+    """Volume of a syllable of this group, fraction of the body's own capacity."""
+    p, m = placer.p, placer.modifiers
+    usual = p.volume_per_syllable * 100.0 / p.capacity_lung * m.volume
+    return placer.chances.about("volume", usual, VOLUME_VARIATION * m.variation)
+
+
+def _speak(placer: Placer, spoken: Spoken) -> None:
+    """The parts of a group, each spoken on the same breath, with what stands between them."""
+    per_syllable = _per_syllable(placer)
+    edge = timing.delay(placer.p, placer.modifiers, placer.chances)
+    placer.hold("ready", edge, rule="physiology 1.4")
+    for number, said in enumerate(spoken.parts):
+        if number:
+            _between(placer, spoken, said, number)
+        speech = parts.utterance(placer.state, spoken, said, low=placer.low, onset=placer.time, number=number)
+        placer.events.append(speech)
+        to = max(placer.levels.floor, placer.volume - said.part.syllables * per_syllable)
+        placer.spend(speech.onset, speech.duration, to, f"physiology 2.2: {per_syllable:.4f} VC a syllable")
+        marked.inside(placer, speech, said)
+
+
+def _between(placer: Placer, spoken: Spoken, said: SpokenPart, number: int) -> None:
+    """Between two parts: what is asked for, or else the pause of a sentence's end without a breath."""
+    acting = [mark for mark in said.part.before if isinstance(mark, Act)]
+    if said.part.site in ("sentence", "paragraph") and not acting:
+        chances = replace(placer.chances, place=f"{spoken.place}/part{number}")
+        kind, length = timing.breathless(placer.p, placer.modifiers, chances, said.part.site)
+        placer.pause("gap", kind, length, rule="physiology 1.4: no breath")
+        placer.hold("gap_rest", length, rule="physiology 1.4: no breath")
+    for index, mark in enumerate(said.part.before):
+        marked.heed(placer, mark, f"part{number}.{index}")
+
+
+def _fall_silent(placer: Placer, spoken: Spoken) -> None:
+    """The silence behind a group, and what some states fill it with."""
+    placer.feel()
+    p, m, chances, group = placer.p, placer.modifiers, placer.chances, spoken.group
+    kind, length = timing.silence(p, m, chances, group.cut.site)
+    if group.ends_sentence and chances.happens("laugh", m.laugh_chance):
+        placer.hold("before_laugh", 0.12, rule="physiology 4.2")
+        acts.perform(placer, "laugh", Asked(rule="physiology 4.2: laughs"))
+    elif group.ends_sentence and chances.happens("puff", m.puff_chance):
+        acts.puff(placer, Asked(rule="physiology 4.2: a puff of amusement"))
+    elif chances.happens("exhale", m.exhale_chance) and placer.volume - placer.levels.floor > 0.05:
+        down = max(placer.levels.floor + 0.01, placer.volume - 0.12)
+        acts.let_go(placer, down, 0.35, Asked(rule="physiology 4.2: lets go what is left"))
+    placer.pause("pause", kind, length, rule=f"physiology 1.4: {kind}")
+    placer.hold("rest", length, rule="physiology 1.4")

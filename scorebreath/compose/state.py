@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from scorebreath.parameters.states import Blend
 from scorebreath.parameters.table import Parameters
-from scorebreath.planning.model import BreathGroup
+from scorebreath.planning.model import BreathGroup, Part
 from scorebreath.score.document import Person, Site
+from scorebreath.script.marks import BreathingMark
 from scorebreath.speech.model import Speech
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BodyState:
-    """All that is carried: where a body is in time and breath."""
+    """All that is carried: where a body is in time, breath and mood."""
 
     body: str
     seed: int
@@ -25,6 +27,24 @@ class BodyState:
     """fraction of VC above residual volume"""
     site: Site = "text end"
     """the boundary behind; `text end` before anything was said"""
+    blend: Blend = field(default_factory=Blend)
+    """the states it is in"""
+    breathing: BreathingMark | None = None
+    """how the markup wants its breaths"""
+    sighed: float = 0.0
+    """s; when it last sighed, or began"""
+    waits: int = 0
+    """how often it has breathed at rest: a key of chance"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class SpokenPart:
+    """A part of a group, spoken and measured."""
+
+    part: Part
+    speech: Speech
+    media: str
+    """SHA-256 of its samples"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -36,9 +56,8 @@ class Spoken:
     """of the group in the Score"""
     place: str
     """key of its chance: its words and which occurrence of them it is"""
-    speech: Speech
-    media: str
-    """SHA-256 of its samples"""
+    parts: tuple[SpokenPart, ...]
+    """one for each of the group's"""
 
 
 class Places:

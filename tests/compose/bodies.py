@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from scorebreath.compose.models import breathing_model
-from scorebreath.compose.state import BodyState, Places, Spoken
+from scorebreath.compose.state import BodyState, Places, Spoken, SpokenPart
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup, Part
 from scorebreath.score.document import CutReason, Site
@@ -47,7 +47,12 @@ def spoken(number: int, text: str, syllables: int, seconds: float, site: Site, k
         pitch=Pitch(step=0.005, hertz=()),
         level=Level(step=0.01, db=()),
     )
-    return Spoken(group=group, id=f"g{number}", place=key, speech=speech, media="0" * 64)
+    return Spoken(
+        group=group,
+        id=f"g{number}",
+        place=key,
+        parts=tuple(SpokenPart(part=part, speech=speech, media="0" * 64) for part in group.parts),
+    )
 
 
 def perform(

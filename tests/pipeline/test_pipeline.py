@@ -116,18 +116,20 @@ def test_text_that_arrives_in_pieces_makes_the_same_events(voice: Voice, model: 
         yield from planner.finish()
 
     person = breathing.person(p)
-    state = BodyState(body=BODY, seed=0, parameters=p, person=person, time=0.5, volume=person.resting_volume)
-    events: list[Event] = []
-    for spoken in speak(arriving(), voice, MemoryStore(), p):
+    state = BodyState(body=BODY, seed=0, parameters=p, person=person, time=0.0, volume=person.resting_volume)
+    state, events = breathing.rest(state, 0.5, "rest")
+    for spoken in speak(arriving(), lambda _: voice, MemoryStore(), p):
         state, placed = breathing.step(state, spoken)
         events += placed
-    events += breathing.finish(state)[1]
+    state, placed = breathing.finish(state)
+    events += placed
+    events += breathing.rest(state, whole.duration, "rest")[1]
     assert tuple(events) == tuple(e for e in whole.events if not (isinstance(e, Pause) and e.kind in ("start", "end")))
 
 
 def test_lungs_are_accounted_for_from_the_first_breath_to_the_last(voice: Voice) -> None:
     score = compiled(voice)
-    volume, time = score.bodies[0].person.resting_volume, 0.5
+    volume, time = score.bodies[0].person.resting_volume, 0.0
     breathing = [e for e in score.events if isinstance(e, (Inspiration, Expiration, Hold))]
     for event in sorted(breathing, key=lambda e: (e.onset, e.end)):
         assert event.onset == pytest.approx(time, abs=5e-6)

@@ -1,0 +1,103 @@
+"""Breathing at rest: before, between and after speech, and the way back to it (physiology 1.6)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scorebreath.compose.chances import Chances
+from scorebreath.compose.placer import Placer
+from scorebreath.compose.sounds import Air
+from scorebreath.units import snap
+
+LONG_WAIT = 2.5
+"""s of silence from which on a body breathes in it instead of waiting."""
+CYCLE = 0.65
+"""Share of a resting cycle that must fit for one to begin."""
+RELAXATION = 1.0
+"""s from the last word back to rest."""
+DEPTH_VARIATION = 1.3
+"""Depths vary so many times as much as lengths do."""
+NOSE = 0.95
+"""Share of the nose at rest (physiology 1.6)."""
+ORONASAL = 37.0 / 60.0
+"""L/s of ventilation from which on the mouth helps (Niinimaa 1980: 35 to 40 L/min)."""
+TOP = 0.85
+"""Highest volume of a breath at rest."""
+SIGHING = 2.2
+"""Depth of a sigh at rest, times a resting breath (physiology 1.6: 2 to 3)."""
+QUIETER = -6.0
+"""dB of an expiration against an inspiration of equal flow (physiology 3.2: -8, less where it is heard at all)."""
+
+
+def wait(placer: Placer, until: float, rule: str = "") -> None:
+    """Breathe at rest until a time; the last breath is out by then. In a short while nothing happens but going to rest.
+
+    Args:
+        placer: The body; nothing happens if the time is over.
+        until: s.
+        rule: Why it waits.
+    """
+    left = until - placer.time
+    if left <= 1e-6:
+        return
+    placer.feel()
+    p, m = placer.p, placer.modifiers
+    cycle = 60.0 / (p.resting_rate * m.rate)
+    count = int(left / cycle + 1.0 - CYCLE)
+    if count == 0 or placer.state.person.resting_volume == 0.0:
+        relax(placer, min(left, RELAXATION))
+        placer.hold("rest", snap(until - placer.time), rule=rule or "physiology 1.6: at rest")
+        return
+    base = placer.chances
+    draws = [_at(base, placer, number).about("rest.length", 1.0, m.variation) for number in range(count)]
+    start, whole, passed = placer.time, sum(draws), 0.0
+    for number, draw in enumerate(draws):
+        passed += draw
+        placer.chances = _at(base, placer, number)
+        _cycle(placer, snap(start + left * passed / whole), cycle)
+    placer.chances = base
+    placer.state = replace(placer.state, waits=placer.state.waits + count)
+
+
+def relax(placer: Placer, length: float) -> None:
+    """To the resting level: above it the chest sinks by its own recoil, below it rises by it."""
+    rest = placer.levels.rest
+    rule = "physiology 2.2: to the resting level"
+    if placer.volume > rest:
+        placer.exhale("relax", rest, length, rule=rule, kind="tidal", peak=0.5)
+    elif placer.volume < rest:
+        placer.inhale("relax", rest, length, rule=rule, kind="tidal", nose=0.0, mouth=0.0, opening=0.0, peak=0.5)
+
+
+def _cycle(placer: Placer, end: float, usual: float) -> None:
+    """One breath in and out, and the little pause after it, until `end`."""
+    p, m, level, chances = placer.p, placer.modifiers, placer.levels, placer.chances
+    length = end - placer.time
+    depth = p.tidal_volume * m.depth * chances.about("rest.depth", 1.0, DEPTH_VARIATION * m.variation)
+    sighs = m.sigh_interval > 0 and placer.time - placer.state.sighed > m.sigh_interval
+    if sighs:
+        depth = max(depth, SIGHING * p.tidal_volume)
+        placer.state = replace(placer.state, sighed=placer.time)
+    pause = min(m.rest_pause, 0.25 * length)
+    inward = m.fraction * length
+    outward = max(0.2 * length, length - inward - pause)
+    inward = min(inward, length - outward)
+    to = min(TOP, level.rest + depth)
+    ventilation = depth * placer.state.person.vital_capacity / usual
+    nose = NOSE if ventilation < ORONASAL else min(NOSE, m.nose_share)
+    gain = p.amplitude_breathing_sound
+    rule = "physiology 1.6"
+    placer.inhale(
+        "tidal", to, inward, rule=rule, kind="sigh" if sighs else "tidal", nose=nose * gain, mouth=(1.0 - nose) * gain,
+        peak=0.5,
+    )  # fmt: skip
+    placer.exhale(
+        "tidal_out", level.rest, min(outward, end - placer.time), rule=rule, kind="sigh" if sighs else "tidal",
+        profile="exponential", nose=nose * gain, mouth=(1.0 - nose) * gain, opening=0.5 if nose < NOSE else 0.0,
+        air=Air(extra_db=QUIETER, trapezoid=(0.12, 0.7)),
+    )  # fmt: skip
+    placer.hold("tidal_pause", snap(end - placer.time), rule=rule)
+
+
+def _at(base: Chances, placer: Placer, number: int) -> Chances:
+    return Chances(seed=base.seed, body=base.body, place=f"{base.place}/rest{placer.state.waits + number}")
