@@ -6,7 +6,7 @@ from contextlib import suppress
 from typing import Any
 
 from scorebreath.errors import ParameterError
-from scorebreath.parameters.table import Parameters
+from scorebreath.parameters.table import Parameters, bounds, choices
 
 _FLAGS = {"true": True, "yes": True, "on": True, "1": True, "false": False, "no": False, "off": False, "0": False}
 
@@ -15,7 +15,7 @@ def parse_assignment(text: str) -> tuple[str, Any]:
     """Name and value of an assignment.
 
     Args:
-        text: `NAME=VALUE`; numbers as `0.4`, flags as `true` or `false`.
+        text: `NAME=VALUE`; numbers as `0.4`, flags as `true` or `false`, words in any case.
 
     Returns:
         Name and checked value.
@@ -25,6 +25,8 @@ def parse_assignment(text: str) -> tuple[str, Any]:
 
     >>> parse_assignment("nose_share=0.4"), parse_assignment("breath_sound=off")
     (('nose_share', 0.4), ('breath_sound', False))
+    >>> parse_assignment("sex=Female")
+    ('sex', 'female')
     """
     name, equals, given = (part.strip() for part in text.partition("="))
     if not equals:
@@ -34,7 +36,9 @@ def parse_assignment(text: str) -> tuple[str, Any]:
     if name in Parameters.model_fields:
         if Parameters.model_fields[name].annotation is bool:
             value = _FLAGS.get(given.lower(), given)
-        else:
+        elif given.lower() in choices(name):
+            value = given.lower()
+        elif bounds(name):
             with suppress(ValueError):  # what is no number is refused below, with the range
                 value = float(given)
     return name, getattr(Parameters(**{name: value}), name)
