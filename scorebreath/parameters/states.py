@@ -38,14 +38,13 @@ class Change:
         >>> rise.at(0.0), rise.at(11.0), rise.at(12.0), round(rise.at(57.0) / 0.8, 3)
         (0.0, 0.4, 0.8, 0.368)
         """
-        since = time - self.time
-        if since < 0:
+        if time < self.time:
             return self.start
-        if since < self.ramp:
-            return self.start + (self.target - self.start) * since / self.ramp
+        if time < self.time + self.ramp:
+            return self.start + (self.target - self.start) * (time - self.time) / self.ramp
         if not self.recovery:
             return self.target
-        left = self.target * exp(-(since - self.ramp) / self.recovery)
+        left = self.target * exp((self.time + self.ramp - time) / self.recovery)
         return left if left >= FADED else 0.0
 
     def over(self, time: float) -> bool:
@@ -72,7 +71,7 @@ class Blend:
         Args:
             time: s, not before any earlier change.
             name: Of a state in the table, in any case, or another word for it; or `neutral`.
-            intensity: 0..1; of no matter for `neutral`.
+            intensity: 0..1; at 0 the state ends, and no other does; of no matter for `neutral`.
             ramp: s.
             held: Whether it stays where it would recover by itself.
 
@@ -96,7 +95,7 @@ class Blend:
         began = [
             Change(name=key, time=time, start=change.at(time), target=0.0, ramp=ramp)
             for key, change in running.items()
-            if key != row.name and _replaces(row, STATES[key])
+            if key != row.name and _replaces(row, intensity, STATES[key])
         ]
         if row.name != NEUTRAL and (intensity > 0.0 or row.name in running):
             start = running[row.name].at(time) if row.name in running else 0.0
@@ -105,5 +104,5 @@ class Blend:
         return Blend(changes=running | {change.name: change for change in began}), tuple(began)
 
 
-def _replaces(new: StateRow, old: StateRow) -> bool:
-    return new.name == NEUTRAL or (new.kind == "mood" and old.kind == "mood")
+def _replaces(new: StateRow, intensity: float, old: StateRow) -> bool:
+    return new.name == NEUTRAL or (intensity > 0.0 and new.kind == "mood" and old.kind == "mood")
