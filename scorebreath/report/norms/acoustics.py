@@ -25,9 +25,9 @@ class Window(NamedTuple):
         """The window of a route; of both at once from the lower end of one to the higher end of the other."""
         if route != "both":
             return self.mouth if route == "mouth" else self.nose
-        low, high = zip(self.mouth, self.nose, strict=True)
-        known = [each for each in high if each is not None]
-        return (min(low) if None not in low else None), (max(known) if len(known) == len(high) else None)
+        low = [each for each in (self.mouth[0], self.nose[0]) if each is not None]
+        high = [each for each in (self.mouth[1], self.nose[1]) if each is not None]
+        return (min(low) if len(low) == 2 else None), (max(high) if len(high) == 2 else None)
 
 
 ROUTES: dict[Route, str] = {
@@ -46,7 +46,7 @@ def _figures(window: Window) -> tuple[Figure, ...]:
 
 
 def level(m: Material) -> Array:
-    """dB relative to the active level of the speech."""
+    """How loud, dB relative to the active level of the speech."""
     return m.heard.level if m.heard else np.zeros(0)
 
 

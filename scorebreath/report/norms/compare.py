@@ -70,8 +70,8 @@ def norms(
 ) -> Norms:
     """Measure a Score's breathing, and compare it with published human ranges.
 
-    Style, age, posture, loudness (from the body's parameters), the model and the route of the breaths choose which figures
-    apply. A Score with few breaths, or none, gives `too few`.
+    Style, age, posture, loudness (from the body's parameters), the model and the route of the breaths choose which
+    figures apply. A Score with few breaths, or none, gives `too few`.
 
     Args:
         score: Any Score.

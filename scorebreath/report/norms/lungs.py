@@ -7,7 +7,7 @@ import numpy as np
 from scorebreath.report.norms.figures import UPRIGHT, Array, Figure, When
 from scorebreath.report.norms.material import Material
 from scorebreath.report.norms.row import Row
-from scorebreath.report.norms.timing import MEASURED
+from scorebreath.report.norms.timing import MEASURED, ratio
 from scorebreath.score.events import Expiration, Hold, Inspiration
 
 LUNGS, LAWS = "Lungs", "Laws of the curves"
@@ -35,7 +35,7 @@ def excursion(m: Material) -> Array:
 def per_syllable(m: Material) -> Array:
     """Volume spent on a syllable, % VC."""
     said = m.syllables[m.on_speech_breath]
-    return np.divide(excursion(m), said, out=np.full(len(said), np.nan), where=said > 0)
+    return ratio(excursion(m), said, said > 0)
 
 
 def millilitres(m: Material) -> Array:
@@ -47,7 +47,7 @@ def speech_flow(m: Material) -> Array:
     """Mean airflow from the first phone to the last, L/s."""
     length = (m.end - m.start)[m.on_speech_breath]
     litres = excursion(m) / 100.0 * m.body.person.vital_capacity
-    return np.divide(litres, length, out=np.full(len(length), np.nan), where=length > MEASURED)
+    return ratio(litres, length, length > MEASURED)
 
 
 def _volumes(m: Material) -> Array:
@@ -64,12 +64,12 @@ def _volumes(m: Material) -> Array:
 
 
 def lowest(m: Material) -> Array:
-    """% VC"""
+    """Lowest of them, (1,) or (0,) where nothing breathes, % VC."""
     return np.sort(_volumes(m))[:1]
 
 
 def highest(m: Material) -> Array:
-    """% VC"""
+    """Highest of them, (1,) or (0,), % VC."""
     return np.sort(_volumes(m))[-1:]
 
 

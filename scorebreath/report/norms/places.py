@@ -17,8 +17,8 @@ PUNCTUATED: frozenset[Site] = frozenset({"paragraph", "sentence", "semicolon", "
 """Kinds of boundary that the text shows by a mark or a new line."""
 ASKED: frozenset[Site] = frozenset({"tag", "marker"})
 """Kinds that the markup asks for; they count as punctuated where a mark stands there as well, else not at all."""
-CLAUSES = PUNCTUATED | {"clause"}
-PHRASES = CLAUSES | {"phrase"}
+CLAUSES: frozenset[Site] = frozenset({*PUNCTUATED, "clause"})
+PHRASES: frozenset[Site] = frozenset({*CLAUSES, "phrase"})
 MARKS = ".!?…,;:–—-)"
 QUOTES = "\"'’”»«“‘)]}_*"
 APOSTROPHES = "'’"

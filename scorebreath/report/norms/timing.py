@@ -5,11 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from scorebreath.report.norms.figures import Array
-from scorebreath.report.norms.material import Material
+from scorebreath.report.norms.material import Mask, Material
 from scorebreath.score.events import Inspiration
 
 MEASURED = 1e-6
 """Shortest time by which anything is divided, s."""
+
+
+def ratio(part: Array, whole: Array, where: Mask) -> Array:
+    """One over the other where that says something; not a number elsewhere; (n,)."""
+    return np.asarray(np.divide(part, whole, out=np.full(len(whole), np.nan), where=where), dtype=np.float64)
 
 
 def group_with_inspiration(m: Material) -> Array:
@@ -32,9 +37,7 @@ def articulation_rate(m: Material) -> Array:
     """Syllables a second, pauses left out."""
     _, length, owner = m.gaps
     spoken = m.end - m.start - np.bincount(owner, weights=length, minlength=len(m.start))
-    return np.divide(
-        m.syllables, spoken, out=np.full(len(spoken), np.nan), where=(spoken > MEASURED) & (m.syllables > 0)
-    )
+    return ratio(m.syllables, spoken, (spoken > MEASURED) & (m.syllables > 0))
 
 
 def ti(m: Material) -> Array:
@@ -76,9 +79,9 @@ def before_breath(m: Material, *sites: str) -> Array:
 
 def after_breath(m: Material) -> Array:
     """From the end of the breath's sound (of its movement where it has none) to the first phone, s."""
-    chosen = np.flatnonzero(
-        m.on_speech_breath & m.free(m.breath_onset[m.breath] if m.inspirations else m.start, m.start)
-    )
+    if not m.inspirations:
+        return np.zeros(0)
+    chosen = np.flatnonzero(m.on_speech_breath & m.free(m.breath_onset[m.breath], m.start))
     ends = [m.breath_onset[m.breath[k]] + _sound(m.inspirations[m.breath[k]])[1] for k in chosen]
     return m.start[chosen] - np.array(ends, dtype=np.float64)
 
