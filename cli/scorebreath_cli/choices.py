@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from scorebreath_cli.settings import MARKUPS
+
 
 def models() -> list[str]:
     """Planners."""
@@ -27,6 +29,18 @@ def voices() -> list[str]:
     return [voice.name for voice in list_voices()]
 
 
+def states() -> list[str]:
+    """Breathing states."""
+    from scorebreath.parameters.state_table import STATES
+
+    return sorted(STATES)
+
+
+def markups() -> list[str]:
+    """Kinds of markup."""
+    return list(MARKUPS)
+
+
 def engines() -> list[str]:
     """Sound engines."""
     from scorebreath.engine.engines import ENGINES
@@ -47,6 +61,6 @@ def parameters() -> list[str]:
 
 
 CHOICES: Mapping[str, Callable[[], list[str]]] = MappingProxyType(
-    {kind.__name__: kind for kind in (models, presets, voices, engines, assignments, parameters)}
+    {kind.__name__: kind for kind in (models, presets, voices, states, markups, engines, assignments, parameters)}
 )
 """Every kind of name that completes."""

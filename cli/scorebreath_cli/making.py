@@ -41,6 +41,7 @@ class Compiler:
         """
         self.options, self._printer = options, printer
         self._voice: Voice | None = None
+        self._others: dict[str, Voice] = {}
 
     def voice(self) -> Voice:
         """The voice; a first call starts its process, which gets ready by itself.
@@ -58,6 +59,19 @@ class Compiler:
                 self._printer.note(said)
         return self._voice
 
+    def other(self, name: str) -> Voice:
+        """A voice that the text changes to; opened when first met, closed with the others.
+
+        Raises:
+            InputError: There is none of that name, or it does not speak the language.
+            VoiceError: It is not installed.
+        """
+        if name not in self._others:
+            from scorebreath.speech.voices import open_voice
+
+            self._others[name] = open_voice(name, self.options.language or DEFAULT_LANGUAGE)
+        return self._others[name]
+
     def compile(self, source: Source, media: MediaStore, meanwhile: Callable[[], object] = lambda: None) -> Score:
         """The Score of a script; its speech goes to `media`.
 
@@ -74,7 +88,7 @@ class Compiler:
         from scorebreath.pipeline import compile_text
         from scorebreath.script.decode import decode
 
-        parameters = options.parameters()
+        parameters, states = options.parameters(), options.begin()
         text = decode(source.data, source.name)
         lead, tail = seconds("lead", options.lead, LEAD), seconds("tail", options.tail, TAIL)
         self._printer.progress("speak", 0.0)
@@ -91,6 +105,9 @@ class Compiler:
             lead=lead,
             tail=tail,
             file=source.name,
+            markup=options.kind_of_markup(),
+            states=states,
+            voices=self.other,
             on_progress=lambda fraction: self._printer.progress("speak", fraction),
         )
         self._printer.progress("speak", 1.0)
@@ -101,9 +118,10 @@ class Compiler:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
-        """End the voice's process."""
-        if self._voice is not None:
-            self._voice.close()
+        """End the voices' processes."""
+        for voice in (self._voice, *self._others.values()):
+            if voice is not None:
+                voice.close()
 
 
 def _without_region(language: str, voice: Voice) -> str:

@@ -37,6 +37,16 @@ def complete_voices(incomplete: str) -> list[str]:
     return _names("voices", incomplete)
 
 
+def complete_states(incomplete: str) -> list[str]:
+    """Breathing states."""
+    return _names("states", incomplete)
+
+
+def complete_markups(incomplete: str) -> list[str]:
+    """Kinds of markup."""
+    return _names("markups", incomplete)
+
+
 def complete_engines(incomplete: str) -> list[str]:
     """Sound engines."""
     return _names("engines", incomplete)
@@ -67,9 +77,10 @@ Model = Annotated[
     ),
 ]  # fmt: skip
 Preset = Annotated[
-    str | None,
+    list[str] | None,
     typer.Option(
-        "--preset", metavar="NAME|FILE", help="A set of parameters: one of `scorebreath presets`, or a .toml file.",
+        "--preset", metavar="NAME|FILE",
+        help="A set of parameters: one of `scorebreath presets`, or a .toml file; of several the later ones win.",
         autocompletion=complete_presets, rich_help_panel=COMPILING,
     ),
 ]  # fmt: skip
@@ -78,6 +89,28 @@ Assign = Annotated[
     typer.Option(
         "--set", metavar="NAME=VALUE", help="Set one of `scorebreath params`; may be repeated.",
         autocompletion=complete_assignments, rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+State = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--state", metavar="NAME[=INTENSITY]",
+        help="A state the body begins in, such as anxious=0.8; may be repeated.",
+        autocompletion=complete_states, rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+Markup = Annotated[
+    str | None,
+    typer.Option(
+        "--markup", metavar="KIND", help="What stands in the text: tags, ssml, none; auto by default, as it looks.",
+        autocompletion=complete_markups, rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+Breaths = Annotated[
+    str | None,
+    typer.Option(
+        "--breaths", metavar="DIR", help="Your own recordings of breaths: mouth.wav, nose.wav, sigh.wav ... there.",
+        rich_help_panel=BREATHS,
     ),
 ]  # fmt: skip
 Seed = Annotated[

@@ -18,6 +18,7 @@ DEFAULT_VOICE = "espeak"
 DEFAULT_MODEL = "natural"
 DEFAULT_LANGUAGE = "en"
 DEFAULT_ENGINE = "embedded"
+MARKUPS = ("auto", "tags", "ssml", "none")
 LEAD, TAIL = 0.5, 1.0
 """Silence before and after, s."""
 LONGEST_SILENCE = 60.0
@@ -30,8 +31,11 @@ class CompileOptions:
 
     voice: str | None = None
     model: str | None = None
-    preset: str | None = None
+    presets: tuple[str, ...] = ()
     assignments: tuple[str, ...] = ()
+    states: tuple[str, ...] = ()
+    markup: str | None = None
+    breaths: str | None = None
     seed: int | None = None
     language: str | None = None
     poem: bool | None = None
@@ -52,7 +56,7 @@ class CompileOptions:
                 raise InputError(f"{source}: is a score; {_flag(field.name, value)} belongs to compiling a script")
 
     def parameters(self) -> Parameters:
-        """Preset, then `--set`, then `--breath-sound` and `--breath-motion`: what comes later wins.
+        """Presets, then `--set`, then `--breath-sound` and `--breath-motion`: what comes later wins.
 
         Raises:
             ParameterError: A name or value is wrong.
@@ -66,14 +70,48 @@ class CompileOptions:
         from scorebreath.parameters.assign import parse_assignment
         from scorebreath.parameters.presets import load_preset
 
-        values: dict[str, Any] = dict(load_preset(self.preset).values) if self.preset is not None else {}
+        values: dict[str, Any] = {}
+        for preset in self.presets:
+            values.update(load_preset(preset).values)
         values.update(parse_assignment(text) for text in self.assignments)
         flags = {"breath_sound": self.breath_sound, "breath_motion": self.breath_motion}
         return values | {name: flag for name, flag in flags.items() if flag is not None}
 
+    def begin(self) -> dict[str, float]:
+        """Name and intensity of every state the body begins in.
+
+        Raises:
+            InputError: There is no such state, or its intensity is not in [0, 1].
+        """
+        from scorebreath.parameters.states import Blend
+
+        found: dict[str, float] = {}
+        for given in self.states:
+            name, equals, amount = (part.strip() for part in given.partition("="))
+            try:
+                intensity = float(amount) if equals else 1.0
+            except ValueError:
+                intensity = math.nan
+            if not 0.0 <= intensity <= 1.0:
+                raise InputError(f"--state {shortened(given, 40)}: expected NAME=INTENSITY with an intensity in [0, 1]")
+            Blend().changed(0.0, name, intensity, 0.0)  # raises where there is none of that name
+            found[name] = intensity
+        return found
+
+    def kind_of_markup(self) -> str:
+        """How the text is marked up.
+
+        Raises:
+            InputError: There is no such kind.
+        """
+        kind = self.markup or MARKUPS[0]
+        if kind not in MARKUPS:
+            raise InputError(f"--markup {shortened(kind, 40)}: expected {', '.join(MARKUPS)}")
+        return kind
+
 
 _RATE = re.compile(r"[0-9]{1,9}(\.[0-9]{0,9}|/0{0,3}[1-9][0-9]{0,8})?")
-_FLAGS = {"assignments": "--set"}
+_FLAGS = {"assignments": "--set", "presets": "--preset", "states": "--state"}
 
 
 def _flag(name: str, value: object) -> str:

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from scorebreath.compose import marked, parts
 from scorebreath.compose.chances import Chances
+from scorebreath.compose.idle import RELAXATION, relax
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.state import BodyState, Spoken
 from scorebreath.equations.bernardet import volume_lung
@@ -51,8 +52,13 @@ def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
 
 
 def finish(state: BodyState) -> tuple[BodyState, list[Event]]:
-    """Nothing: the driver is back at 0."""
-    return state, []
+    """Nothing: the driver is back at 0, unless an act has left something in the lungs."""
+    if state.volume == 0.0:
+        return state, []
+    chances = Chances(seed=state.seed, body=state.body, place="end")
+    placer = Placer(state=state, id=f"{state.body}.end", chances=chances)
+    relax(placer, RELAXATION)
+    return placer.done()
 
 
 def rest(state: BodyState, until: float, what: str) -> tuple[BodyState, list[Event]]:

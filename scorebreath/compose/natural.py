@@ -31,6 +31,8 @@ VOLUME_VARIATION = 0.5
 """What a syllable takes varies from group to group by so many times as much as resting cycles do."""
 NOTHING = 2e-6
 """s that are no time: sums of numbers on the grid."""
+MOST_IRREGULAR = 1.6
+"""Times its usual spread that the depth of breaths varies at most."""
 SIGH_SPREAD = 0.3
 """Coefficient of variation of the time between sighs."""
 
@@ -111,7 +113,8 @@ def _inspire(placer: Placer, spoken: Spoken, breath: Act | None) -> None:
     p, m, state, chances = placer.p, placer.modifiers, placer.state, placer.chances
     syllables = spoken.group.syllables
     need = syllables * _per_syllable(placer)
-    deviation = p.initiation_spread * chances.normal("inspiration.volume") * m.variation / timing.NEUTRAL_VARIATION
+    irregular = min(MOST_IRREGULAR, m.variation / timing.NEUTRAL_VARIATION)
+    deviation = p.initiation_spread * irregular * max(-2.0, min(2.0, chances.normal("inspiration.volume")))
     to = initiation(placer.levels, placer.volume, need, p.recovery_share, deviation)
     left = to - placer.levels.floor
     if need > left + 1e-6:
@@ -123,6 +126,7 @@ def _inspire(placer: Placer, spoken: Spoken, breath: Act | None) -> None:
     wishes = state.breathing
     louder = (breath.level_db if breath else 0.0) + (wishes.level_db if wishes else 0.0)
     longer = (breath.length if breath else 1.0) * (wishes.length if wishes else 1.0)
+    longer *= timing.for_depth(to - placer.volume, need)
     length = timing.speech_inspiration(p, m, chances, syllables=syllables, site=state.site, asked=longer)
     if breath and breath.seconds is not None:
         length = breath.seconds

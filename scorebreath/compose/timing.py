@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import pi, sqrt
 
 from scorebreath.compose.chances import Chances, lognormal
 from scorebreath.equations.breath import inspiration_length
@@ -41,6 +41,20 @@ def speech_inspiration(
     return inspiration_length(
         p.inspiration_base, p.inspiration_per_syllable, syllables, 0.0, SITE_FACTOR.get(site, 1.0) * factor
     )
+
+
+def for_depth(moved: float, usual: float) -> float:
+    r"""How much longer a breath takes that is deeper than usual: :math:`(V / V_0)^{0.5}`, in 0.75..1.35.
+
+    Breaths are drawn deeper partly by faster and partly by longer flow; their lengths and depths go together over a
+    speaker's breaths with r = 0.3 to 0.6 (physiology 1.3).
+
+    >>> for_depth(0.16, 0.16), for_depth(0.25, 0.16), round(for_depth(0.09, 0.16), 6)
+    (1.0, 1.25, 0.75)
+    """
+    if usual <= 0 or moved <= 0:
+        return 1.0
+    return min(1.35, max(0.75, sqrt(moved / usual)))
 
 
 def unhurried(length: float, volume: float, vital_capacity: float, steepness: float = pi / 2) -> float:

@@ -17,8 +17,11 @@ from scorebreath_cli.settings import CompileOptions, frame_rate, seconds, seed
 GIVEN: dict[str, tuple[Any, str]] = {
     "voice": ("tone", "--voice"),
     "model": ("natural", "--model"),
-    "preset": ("nose", "--preset"),
+    "presets": (("nose",), "--preset"),
     "assignments": (("nose_share=1",), "--set"),
+    "states": (("anxious",), "--state"),
+    "markup": ("none", "--markup"),
+    "breaths": ("breaths", "--breaths"),
     "seed": (0, "--seed"),
     "language": ("en", "--language"),
     "poem": (False, "--prose"),
@@ -74,7 +77,9 @@ def test_what_comes_later_wins(tmp_path: Path) -> None:
     preset = tmp_path / "mine.toml"
     preset.write_text("[parameters]\nnose_share = 0.1\nbreath_level = -30.0\nbreath_sound = true\n")
     options = CompileOptions(
-        preset=str(preset), assignments=("nose_share=0.2", "nose_share=0.3", "breath_sound=true"), breath_sound=False
+        presets=(str(preset),),
+        assignments=("nose_share=0.2", "nose_share=0.3", "breath_sound=true"),
+        breath_sound=False,
     )
     assert options.values() == {"nose_share": 0.3, "breath_level": -30.0, "breath_sound": False}
     assert options.parameters().set_by_hand() == options.values()

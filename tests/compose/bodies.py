@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup, Part
 from scorebreath.score.document import CutReason, Site
 from scorebreath.score.events import Event, Level, Phone, Pitch
+from scorebreath.script.marks import Mark
 from scorebreath.spans import Span, join
 from scorebreath.speech.model import Speech
 from scorebreath.units import snap
@@ -56,17 +58,34 @@ def spoken(number: int, text: str, syllables: int, seconds: float, site: Site, k
 
 
 def perform(
-    model: str, said: list[tuple[str, int, float, Site]], parameters: Parameters | None = None, seed: int = 0
+    model: str,
+    said: list[tuple[str, int, float, Site]],
+    parameters: Parameters | None = None,
+    seed: int = 0,
+    marks: Mapping[int, tuple[Mark, ...]] | None = None,
 ) -> tuple[list[Event], BodyState]:
-    """All events of these groups (text, syllables, seconds, site), and the body afterwards."""
+    """All events of these groups (text, syllables, seconds, site), and the body afterwards.
+
+    Args:
+        model: Name of the breathing model.
+        said: The groups.
+        parameters: Defaults where None.
+        seed: Of every chance.
+        marks: Marks before groups, by the group's number; those of `len(said)` stand after the last one.
+    """
     p = parameters or Parameters()
     breathing = breathing_model(model)
     person = breathing.person(p)
     state = BodyState(body="body", seed=seed, parameters=p, person=person, time=0.5, volume=person.resting_volume)
     events: list[Event] = []
     places = Places()
+    asked = marks or {}
     for number, (text, syllables, seconds, site) in enumerate(said):
-        state, placed = breathing.step(state, spoken(number, text, syllables, seconds, site, places.key(text)))
+        after = asked.get(number + 1, ()) if number == len(said) - 1 else ()
+        group = spoken(
+            number, text, syllables, seconds, site, places.key(text), before=asked.get(number, ()), after=after
+        )
+        state, placed = breathing.step(state, group)
         events += placed
     state, placed = breathing.finish(state)
     return [*events, *placed], state

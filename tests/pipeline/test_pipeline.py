@@ -97,7 +97,9 @@ def test_an_inserted_sentence_changes_no_other_draws(voice: Voice) -> None:
     before, after = draws(compiled(voice)), draws(compiled(voice, text=inserted))
     shared = before.keys() & after.keys()
     assert len(shared) >= len(before) - 2
-    assert {key: before[key] for key in shared} == {key: after[key] for key in shared}
+    assert {key: before[key][0] for key in shared} == {key: after[key][0] for key in shared}
+    # lengths also follow the lungs, which carry over what the group before has left
+    assert all(after[key][1] == pytest.approx(before[key][1], rel=0.25) for key in shared)
 
 
 @pytest.mark.parametrize("model", MODELS)

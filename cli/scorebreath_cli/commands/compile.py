@@ -23,6 +23,9 @@ def compile_(
     model: o.Model = None,
     preset: o.Preset = None,
     assign: o.Assign = None,
+    state: o.State = None,
+    markup: o.Markup = None,
+    breaths: o.Breaths = None,
     seed: o.Seed = None,
     language: o.Language = None,
     poem: o.Poem = None,
@@ -39,8 +42,9 @@ def compile_(
     The samples go into speech/ beside the score; on stdout the score stands alone.
     """
     options = CompileOptions(
-        voice=voice, model=model, preset=preset, assignments=tuple(assign or ()), seed=seed, language=language,
-        poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
+        voice=voice, model=model, presets=tuple(preset or ()), assignments=tuple(assign or ()),
+        states=tuple(state or ()), markup=markup, breaths=breaths, seed=seed, language=language, poem=poem,
+        lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
     )  # fmt: skip
     with reporting(lambda: printers.make(json_lines, script), debug=debug) as printer:
         from scorebreath.errors import InputError

@@ -29,6 +29,9 @@ def explain(
     model: o.Model = None,
     preset: o.Preset = None,
     assign: o.Assign = None,
+    state: o.State = None,
+    markup: o.Markup = None,
+    seed: o.Seed = None,
     language: o.Language = None,
     poem: o.Poem = None,
     json_lines: o.Json = False,
@@ -41,8 +44,9 @@ def explain(
     The Bernardet models give each candidate's distance in characters, natural its cost; the chosen one is marked.
     """
     options = CompileOptions(
-        voice=voice, model=model, preset=preset, assignments=tuple(assign or ()), language=language, poem=poem
-    )
+        voice=voice, model=model, presets=tuple(preset or ()), assignments=tuple(assign or ()),
+        states=tuple(state or ()), markup=markup, seed=seed, language=language, poem=poem,
+    )  # fmt: skip
     with reporting(lambda: printers.make(json_lines, script), debug=debug) as printer:
         from scorebreath_cli.inputs import read_source
         from scorebreath_cli.making import Compiler

@@ -42,18 +42,20 @@ def params(
             schema = Parameters.model_json_schema()
             printer.item("json-schema", {"json_schema": schema}, json.dumps(schema, indent=2, ensure_ascii=False))
             return
-        options = CompileOptions(preset=preset, assignments=tuple(assign or ()))
+        options = CompileOptions(presets=tuple(preset or ()), assignments=tuple(assign or ()))
         printer.table("parameter", _rows(options, names or list(Parameters.model_fields)), COLUMNS, BELOW)
 
 
 def _rows(options: CompileOptions, names: list[str]) -> list[dict[str, Any]]:
+    from dataclasses import asdict
+
     from scorebreath.errors import ParameterError
     from scorebreath.parameters.derive import derive
     from scorebreath.parameters.table import bounds, osc_address
     from scorebreath.units import plain
 
     parameters = options.parameters()
-    low = derive(parameters)
+    derived = {**asdict(derive(parameters)), **_of_the_body(parameters)}
     rows = []
     for given in names:
         name = given.replace("-", "_")
@@ -67,7 +69,7 @@ def _rows(options: CompileOptions, names: list[str]) -> list[dict[str, Any]]:
         rows.append(
             {
                 "name": name,
-                "value": getattr(low, name) if value is None else value,
+                "value": derived[name] if value is None else value,
                 "set_by": _set_by(options, parameters, name),
                 "unit": extra["unit"],
                 "range": f"{plain(limits[0])}..{plain(limits[1])}" if limits else _choices(field.annotation),
@@ -82,11 +84,26 @@ def _rows(options: CompileOptions, names: list[str]) -> list[dict[str, Any]]:
     return rows
 
 
+def _of_the_body(parameters: Parameters) -> dict[str, float]:
+    """What follows from the person."""
+    from scorebreath.parameters.physique import physique
+
+    body = physique(parameters)
+    return {
+        "vital_capacity": body.vital_capacity,
+        "resting_volume": body.resting_volume,
+        "vocal_tract_length": body.vocal_tract,
+    }
+
+
 def _set_by(options: CompileOptions, parameters: Parameters, name: str) -> str:
     if name not in parameters.model_fields_set:
         return ""
     by_hand = CompileOptions(assignments=options.assignments).values()
-    return "--set" if name in by_hand else f"preset {options.preset}"
+    if name in by_hand:
+        return "--set"
+    setting = (preset for preset in reversed(options.presets) if name in CompileOptions(presets=(preset,)).values())
+    return f"preset {next(setting)}"
 
 
 def _choices(annotation: Any) -> str:

@@ -32,6 +32,9 @@ def render(
     model: o.Model = None,
     preset: o.Preset = None,
     assign: o.Assign = None,
+    state: o.State = None,
+    markup: o.Markup = None,
+    breaths: o.Breaths = None,
     seed: o.Seed = None,
     language: o.Language = None,
     poem: o.Poem = None,
@@ -53,8 +56,9 @@ def render(
     Of several inputs, each goes into DIR/NAME; one that fails does not stop the others.
     """
     options = CompileOptions(
-        voice=voice, model=model, preset=preset, assignments=tuple(assign or ()), seed=seed, language=language,
-        poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
+        voice=voice, model=model, presets=tuple(preset or ()), assignments=tuple(assign or ()),
+        states=tuple(state or ()), markup=markup, breaths=breaths, seed=seed, language=language, poem=poem,
+        lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
     )  # fmt: skip
     with reporting(lambda: printers.make(json_lines, inputs[0] if len(inputs) == 1 else ""), debug=debug) as printer:
         from pathlib import Path
