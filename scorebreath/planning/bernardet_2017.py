@@ -29,6 +29,7 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.planning.chunker import Chunker, Cut, cut_at
 from scorebreath.planning.markers import LONGEST_WORD, Marker, ahead, known
 from scorebreath.planning.model import SyllableCounter
+from scorebreath.planning.obedient import obey
 from scorebreath.planning.units import Unit
 
 NAME = "bernardet-2017"
@@ -54,6 +55,10 @@ class Bernardet2017(Chunker):
         self._period = parameters.period_marker
 
     def cut(self, text: Sequence[Unit], over: bool) -> Cut | None:
+        """One round, where the markup asks for nothing else."""
+        return obey(text, self._round(text, over), over, NAME)
+
+    def _round(self, text: Sequence[Unit], over: bool) -> Cut | None:
         """One round of the chart."""
         stepped = self._loop_over_syllables(text, over)
         if stepped is None:

@@ -26,6 +26,7 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.planning.chunker import Chunker, Cut, cut_at
 from scorebreath.planning.markers import LONGEST_WORD, Marker, ahead, behind, known
 from scorebreath.planning.model import SyllableCounter
+from scorebreath.planning.obedient import obey
 from scorebreath.planning.units import Unit
 
 NAME = "bernardet-2019"
@@ -50,6 +51,10 @@ class Bernardet2019(Chunker):
         self._period = parameters.period_marker
 
     def cut(self, text: Sequence[Unit], over: bool) -> Cut | None:
+        """One round, where the markup asks for nothing else."""
+        return obey(text, self._round(text, over), over, NAME)
+
+    def _round(self, text: Sequence[Unit], over: bool) -> Cut | None:
         """One round of the bullets."""
         split, syllables = self._step(text)
         if syllables < self._target:

@@ -6,24 +6,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from scorebreath.planning.model import BreathGroup, Part, SyllableCounter
+from scorebreath.planning.assemble import SITES, Assembler
+from scorebreath.planning.model import BreathGroup, SyllableCounter
 from scorebreath.planning.units import Unit, UnitReader
 from scorebreath.score.document import Candidate, CutReason, Site
-from scorebreath.script.model import Edge, ScriptWord, Sentence
-from scorebreath.spans import Run, Span, SpokenText
+from scorebreath.script.marks import Mark
+from scorebreath.script.model import Sentence
 from scorebreath.units import snap
-
-SITES: dict[Edge, Site] = {
-    "paragraph": "paragraph",
-    "sentence": "sentence",
-    "semicolon": "semicolon",
-    "comma": "comma",
-    "line": "line",
-    "marker": "marker",
-    "word": "word",
-    "joint": "word",
-}
-"""What a cut after each edge is called: by what stands there, whichever rule chose it; `text end` at the end of all."""
 
 MOST_CANDIDATES = 6
 """Candidates kept with a cut, best first."""
@@ -40,6 +29,9 @@ class Cut:
 class Chunker(ABC):
     """A `Planner` whose subclass says where to cut next.
 
+    What the markup asks for comes first: a group ends where a breath, a sound of one or another voice stands
+    (`marks.DIVIDING`), and does not where `NoBreath` stands. Contradictory markup: the breath is taken.
+
     The last group known is held back until more text comes or the text is over: only then is it known whether its
     cut is the end of the text. After `finish` it can be fed again; indices go on.
 
@@ -47,17 +39,22 @@ class Chunker(ABC):
         count: Counts syllables.
         longest: Syllables one breath can hold; only joined words beyond this are divided.
         poem: Whether lines are lines of verse.
+        sentences_apart: Whether a sentence's end inside a group divides it into parts.
     """
 
-    def __init__(self, count: SyllableCounter, longest: int, poem: bool = False) -> None:
+    def __init__(
+        self, count: SyllableCounter, longest: int, poem: bool = False, *, sentences_apart: bool = False
+    ) -> None:
         """Start with an empty text."""
         self._reader = UnitReader(count, longest, poem)
         self._units: list[Unit] = []
         self._held: Cut | None = None
-        self._index = 0
+        self._assembler = Assembler(sentences_apart=sentences_apart)
 
     def feed(self, sentence: Sentence) -> Iterator[BreathGroup]:
         """Take one sentence more (at once, whether or not the result is used); give the groups that are now certain."""
+        if sentence.before:
+            self.begin(sentence.before)
         self._units.extend(self._reader.read(sentence))
         return self._release(over=False)
 
@@ -65,6 +62,10 @@ class Chunker(ABC):
         """The text is over; give all that is left."""
         self._units.extend(self._reader.rest())
         return self._release(over=True)
+
+    def begin(self, marks: Sequence[Mark]) -> None:
+        """Marks before the first word of a text."""
+        self._assembler.begin(marks)
 
     @abstractmethod
     def cut(self, text: Sequence[Unit], over: bool) -> Cut | None:
@@ -87,35 +88,11 @@ class Chunker(ABC):
                 self._held = cut
                 return
             self._held = None
-            group = self._group(cut, last=cut.count == len(self._units))
+            last = cut.count == len(self._units)
+            units = self._units[: cut.count]
+            group = self._assembler.group(units, _ending(cut.reason, units[-1].end) if last else cut.reason, last=last)
             del self._units[: cut.count]
-            self._index += 1
             yield group
-
-    def _group(self, cut: Cut, last: bool) -> BreathGroup:
-        units = self._units[: cut.count]
-        words = tuple(word for unit in units for word in unit.words)
-        whole = Part(
-            source=Span(units[0].start, units[-1].end),
-            spoken=say(words),
-            words=words,
-            syllables=sum(unit.syllables for unit in units),
-            sentence_type=units[-1].sentence_type,
-            ends_sentence=units[-1].closes,
-        )
-        source = whole.source
-        return BreathGroup(
-            index=self._index,
-            source=source,
-            text="".join(unit.written for unit in units)[: source.length],
-            spoken=whole.spoken,
-            words=words,
-            syllables=whole.syllables,
-            sentence_type=whole.sentence_type,
-            ends_sentence=whole.ends_sentence,
-            parts=(whole,),
-            cut=_ending(cut.reason, source.end) if last else cut.reason,
-        )
 
 
 def _ending(reason: CutReason, end: int) -> CutReason:
@@ -149,20 +126,3 @@ def cut_at(
         for count, cost in costs.items()
     )
     return Cut(count=places[0][0], reason=CutReason(site=candidates[0].site, rule=rule, candidates=candidates))
-
-
-def say(words: Sequence[ScriptWord]) -> SpokenText:
-    """The words as a voice is to say them, a space between them except after `joint`; spans stay absolute."""
-    text: list[str] = []
-    runs: list[Run] = []
-    at = 0
-    space = ""
-    for word in words:
-        if not word.spoken.text:
-            continue
-        text += (space, word.spoken.text)
-        at += len(space)
-        runs += (Run(at + run.start, at + run.end, run.source) for run in word.spoken.runs)
-        at += len(word.spoken.text)
-        space = "" if word.edge == "joint" else " "
-    return SpokenText(text="".join(text), runs=tuple(runs))

@@ -1,174 +1,212 @@
 """Breath groups as people make them: the cheapest way to breathe through a paragraph (physiology 1.1, 1.2).
 
-Three costs, all of them negative logarithms of probabilities: how readily one breathes at a boundary of that kind, or
-passes it by with some of the budget used (`sites.READINESS`); how far a group is from the preferred length (lognormal);
-and the breath: what it takes beyond an easy one, up to a limit that is never exceeded. `lattice` finds the optimum.
+Four costs, all of them negative logarithms of probabilities: how readily one breathes at a boundary of that kind, or
+passes it by with some of the budget used (`sites.HABITS`, by style); how far a group is from the length that is
+preferred where it begins, in the body's state there (lognormal); the breath: what it takes beyond an easy one, up to a
+limit that is never exceeded; and recovering from a group that used much. `lattice` finds the optimum. In spontaneous
+speech keyed chance makes each boundary easier or harder (`variation`).
+
+What the markup asks for is certain: a breath, a sound of one or another voice ends a group, a breath that it forbids
+costs more than all others together, and a pause is a place to breathe.
 
 A group is released when it is certain. Within a paragraph that is when all plans that later text could still make the
 cheapest begin with it: every plan has a cut among the last words, as many as one breath holds, so the cheapest plans to
 those few places are all that matters, and what they share cannot change. A paragraph's end always ends a group, so it
-settles everything before it. Where plans never agree (endless text without punctuation), the text after the last cut is
-bounded by `WINDOW` breaths: then the first half of the cheapest plan is settled, with the other half as look-ahead.
-Both depend on the text alone, not on how it arrives. Time O(words * words in a breath).
+settles everything before it, unless what follows is too short and too soon for a breath of its own. Where plans never
+agree (endless text without punctuation), the text after the last cut is bounded by `WINDOW` breaths: then the first
+half of the cheapest plan is settled, with the other half as look-ahead.
+All depends on the text alone, not on how it arrives. Time O(words * words in a breath).
 """
 
 from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from math import exp, inf, log
+from dataclasses import replace
+from math import inf
 
-from scorebreath.parameters.derive import derive
+from scorebreath.parameters.states import Blend
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.chunker import Chunker, Cut, cut_at
 from scorebreath.planning.lattice import Lattice
 from scorebreath.planning.model import SyllableCounter
-from scorebreath.planning.sites import boundary, function_words
-from scorebreath.planning.units import Unit
+from scorebreath.planning.sites import FORBIDDEN, HABITS, Boundary, boundary, function_words
+from scorebreath.planning.starts import RATE, most_syllables
+from scorebreath.planning.timeline import Timeline
+from scorebreath.planning.units import Unit, dividing
+from scorebreath.planning.variation import Variation
+from scorebreath.script.marks import Mark
 
 NAME = "natural"
-SPREAD = 0.45
-"""Sigma of the lognormal cost of a group's length. Measured groups spread by 0.385 (physiology 1.1), but those are
-outcomes, and the cheapest plan keeps clear of the tails: a milder cost makes its groups spread as widely."""
-BUDGET = 0.35
-"""Share of the preferred length from which on a boundary is passed at a cost (physiology 1.2: 0.6)."""
-EASY = 0.27
-"""Vital capacity that a breath uses with ease: from 52 % (usual initiation) to 25 % (lowest termination;
-physiology 2.2)."""
-DEEPER = 0.05
-"""Standard deviation of what deeper breaths take on top (physiology 2.2: SD of the initiation)."""
-DEEPEST = 0.40
-"""The most one breath can use: from 65 % (initiation, loud) to 25 %."""
-LONGEST = 12.5
-"""Seconds from the inspiration's onset to the last phone (physiology 1.1; B52: 12.6)."""
-RATE = 5.0
-"""Syllables a second at prosody_rate 1 (physiology 1.1)."""
 WINDOW = 4
 """Breaths of text that may be left without a certain cut."""
+SHORT = 3
+"""Syllables for which nobody breathes in again ..."""
+SOON = 1.5
+"""... within so many seconds since the last inspiration (physiology 1.2, from Scobbie et al. 2011)."""
 
 
 class Natural(Chunker):
     """The optimum over a paragraph.
 
     Args:
-        parameters: The preferred length is `length_utterance`, in syllables; `volume_per_syllable`, `capacity_lung`,
-            `prosody_rate` and the inspiration's length bound a breath.
+        parameters: `style`, what `starts` needs, and all that modifies breathing (`parameters.modifiers`).
         language: BCP 47; one without a table of function words is cut at punctuation, else between any words.
         count: Counts syllables, best as the voice says them.
         poem: Whether lines are lines of verse.
+        blend: The states at the beginning of the text.
+        time: When it begins, on the blend's clock, s.
+        seed: Of chance.
+        body: Whose chance it is.
     """
 
-    def __init__(self, parameters: Parameters, language: str, count: SyllableCounter, poem: bool = False) -> None:
+    def __init__(
+        self,
+        parameters: Parameters,
+        language: str,
+        count: SyllableCounter,
+        poem: bool = False,
+        *,
+        blend: Blend | None = None,
+        time: float = 0.0,
+        seed: int = 0,
+        body: str = "body",
+    ) -> None:
         """Start with an empty text."""
         self.most = most_syllables(parameters)
-        super().__init__(count, self.most, poem)
-        self.preferred = derive(parameters).length_utterance
+        super().__init__(count, self.most, poem, sentences_apart=True)
+        self._soon_over = min(SOON * RATE * parameters.prosody_rate, self.most - SHORT + 1)
         self._words = function_words(language)
-        self._length = length_costs(self.preferred, self.most, syllable_volume(parameters))
+        self._habits = HABITS[parameters.style]
+        self._timeline = Timeline(parameters, blend or Blend(), time=time, style=self._habits.length)
+        self._variation = Variation(seed, body, self._habits.variation)
         self._settled: deque[Cut] = deque()
-        self._lattice = self._fresh()
+        self._lattice = Lattice(self._timeline.start())
+
+    def begin(self, marks: Sequence[Mark]) -> None:
+        """Marks before the first word of a text."""
+        super().begin(marks)
+        self._timeline.heed(marks)
+        self._lattice = Lattice(self._timeline.start())
 
     def cut(self, text: Sequence[Unit], over: bool) -> Cut | None:
         """The next cut of the cheapest plan, once it is certain."""
-        while not self._settled:
-            if not self._advance(text, over):
+        while True:
+            while len(self._settled) < 2 and (not self._settled or self._soon(text, self._settled[0])):
+                known = sum(cut.count for cut in self._settled)
+                if not self._advance(text[known:] if known else text, over):
+                    break
+            if not self._settled:
                 return None
-        return self._settled.popleft()
+            first = self._settled[0]
+            if not self._soon(text, first):
+                return self._settled.popleft()
+            if len(self._settled) < 2:
+                return self._settled.popleft() if over else None
+            second = self._settled[1]
+            if _syllables(text[first.count : first.count + second.count]) > SHORT:
+                return self._settled.popleft()
+            self._settled.popleft()
+            self._settled[0] = self._joined(text, first, second)
+
+    def _soon(self, text: Sequence[Unit], cut: Cut) -> bool:
+        """Whether the next breath would come soon after the last, and nothing asks for it."""
+        syllables = _syllables(text[: cut.count])
+        return syllables < self._soon_over and not dividing(text[cut.count - 1].after)
+
+    def _joined(self, text: Sequence[Unit], first: Cut, second: Cut) -> Cut:
+        syllables = _syllables(text[: first.count])
+        rule = f"{NAME}: no breath {syllables} syllables after the last for {SHORT} more or less; "
+        rest = second.reason.rule.removeprefix(f"{NAME}: ")
+        return Cut(count=first.count + second.count, reason=replace(second.reason, rule=rule + rest))
 
     def _advance(self, text: Sequence[Unit], over: bool) -> bool:
         """Settle a cut, or take one unit more; False where more text is needed. Node j lies after text[j - 1]."""
         lattice, known = self._lattice, len(self._lattice)
-        if known and (lattice.boundaries[known].site == "paragraph" or (over and known == len(text))):
-            self._settle(text, lattice.plan())
-            self._lattice = self._fresh()
-        elif lattice.certain():
+        if known and (_ends(lattice.boundaries[known]) or (over and known == len(text))):
             cuts = lattice.plan()
-            self._settle(text, cuts, 1)
-            lattice.reroot(cuts[0])
-        elif lattice.syllables > WINDOW * self.most:
+            tired = self._settle(text, cuts)
+            tired = tired and lattice.boundaries[known].site == "tag"
+            self._lattice = Lattice(self._timeline.start(), recovering=tired)
+        elif lattice.certain():
+            self._settle(text, lattice.plan(), 1)
+            lattice.reroot()
+        elif lattice.syllables > WINDOW * lattice.most:
             cuts = lattice.plan()
             half = max(1, sum(cut <= known // 2 for cut in cuts))
-            self._settle(text, cuts, half)
-            self._lattice = lattice.restarted(cuts[half - 1])
+            tired = self._settle(text, cuts, half)
+            self._lattice = lattice.restarted(cuts[half - 1], recovering=tired)
         elif known < len(text) and (over or _clear(text, known)):
-            lattice.add(text[known].syllables, boundary(text, known, self._words))
+            self._add(text, known)
         else:
             return False
         return True
 
-    def _settle(self, text: Sequence[Unit], cuts: Sequence[int], count: int | None = None) -> None:
-        """The first `count` cuts of a plan (all by default) become decisions."""
+    def _add(self, text: Sequence[Unit], index: int) -> None:
+        """One unit more."""
+        unit = text[index]
+        found = boundary(text, index, self._words, self._habits)
+        drawn = self._variation.after(unit)
+        if not _ends(found):
+            found = found._replace(breathing=found.breathing + drawn)
+        self._lattice.add(unit.syllables, found, self._timeline.say(unit))
+
+    def _settle(self, text: Sequence[Unit], cuts: Sequence[int], count: int | None = None) -> bool:
+        """The first `count` cuts of a plan (all by default) become decisions; whether the last of them tires."""
+        recovering = self._lattice.recovering
         starts = [0, *cuts]
-        for start, end, following in zip(starts, cuts[:count], [*cuts[1:], cuts[-1]], strict=False):
-            self._settled.append(self._decide(text, start, end, following))
+        for place, start in enumerate(starts[:-1][:count]):
+            self._settled.append(self._decide(text, starts[place : place + 4], recovering))
+            recovering = self._lattice.tires(start, starts[place + 1])
+        return recovering
 
-    def _decide(self, text: Sequence[Unit], start: int, end: int, following: int) -> Cut:
-        """The cut at `end`, and what another place for it would have cost while the next one stays at `following`.
+    def _decide(self, text: Sequence[Unit], nodes: Sequence[int], recovering: bool) -> Cut:
+        """The cut at the second of the nodes, and what another place for it would have cost while the others stay.
 
-        By the optimality of the plan none is cheaper. A place at `following` stands for not breathing at `end` at all.
+        By the optimality of the plan none is cheaper. A place at the third stands for not breathing at the second at
+        all. What other places mean for the group that ends at the fourth is counted, too.
         """
+        start, end = nodes[:2]
+        following = nodes[2] if len(nodes) > 2 else end
         lattice = self._lattice
         boundaries = lattice.boundaries
+
+        def cost(other: int) -> float:
+            total, tired = lattice.cost(start, other, recovering=recovering), lattice.tires(start, other)
+            if other < following:
+                total += lattice.cost(other, following, recovering=tired)
+                tired = lattice.tires(other, following)
+            if len(nodes) > 3:
+                lengths = (lattice.cost(following, nodes[3], recovering=one) for one in (tired, False))
+                total += next(lengths) - next(lengths)
+            return total
+
         costs = [
-            (other - start, lattice.cost(start, other) + (lattice.cost(other, following) if other < following else 0.0))
+            (other - start, cost(other))
             for other in range(start + 1, following + 1)
             if other == end or boundaries[other].site != "word"
         ]
         places = sorted((place for place in costs if place[1] < inf), key=lambda p: (p[0] != end - start, p[1]))
         units = text[start:following]
-        syllables = sum(unit.syllables for unit in units[: end - start])
+        body = lattice.start(start)
+        asked = dividing(units[end - start - 1].after)
         return cut_at(
             units,
             places,
-            f"{NAME}: after {syllables} syllables, {self.preferred:g} preferred, {self.most} at most; "
+            f"{NAME}: {f'{asked.written} asks for it, ' if asked else ''}"
+            f"after {_syllables(units[: end - start])} syllables, {body.preferred:.3g} preferred, {body.most} at most; "
             + _comparison(places),
             lambda count: boundaries[start + count].site,
         )
 
-    def _fresh(self) -> Lattice:
-        return Lattice(self._length, BUDGET * self.preferred)
+
+def _ends(found: Boundary) -> bool:
+    """Whether a group ends there whatever it costs."""
+    return found.site == "tag" or (found.site == "paragraph" and found.breathing < FORBIDDEN)
 
 
-def most_syllables(parameters: Parameters) -> int:
-    """Syllables one breath holds: as many as the lungs, or the longest group, allow; at least 1.
-
-    >>> most_syllables(Parameters()), most_syllables(Parameters(capacity_lung=64.0))
-    (44, 28)
-    >>> most_syllables(Parameters(volume_per_syllable=0.001))
-    57
-    """
-    p = parameters
-    by_volume = DEEPEST / syllable_volume(p)
-    by_time = (LONGEST - p.inspiration_base - p.silence_after_breath) / (
-        1.0 / (RATE * p.prosody_rate) + p.inspiration_per_syllable
-    )
-    return max(1, int(min(by_volume, by_time)))
-
-
-def syllable_volume(parameters: Parameters) -> float:
-    """What one syllable takes of the person's own vital capacity, as a fraction.
-
-    >>> syllable_volume(Parameters(capacity_lung=50.0))
-    0.018
-    """
-    return parameters.volume_per_syllable * 100.0 / parameters.capacity_lung
-
-
-def length_costs(preferred: float, most: int, volume: float) -> list[float]:
-    r"""Cost of groups of 0 to `most` syllables, each taking `volume` of the lungs.
-
-    :math:`\ln^2(n / m) / 2 \sigma^2`, with the median :math:`m = preferred \cdot e^{-\sigma^2 / 2}` that makes
-    `preferred` the mean; beyond an easy breath also :math:`(n \cdot volume - EASY)^2 / 2 \cdot DEEPER^2`.
-
-    >>> costs = length_costs(18.0, 44, 0.009)
-    >>> costs.index(min(costs)), round(costs[8], 2), round(costs[30], 2), round(costs[41], 2)
-    (16, 1.24, 0.93, 4.07)
-    """
-    median = preferred * exp(-(SPREAD**2) / 2.0)
-    return [
-        (log(max(1, n) / median) / SPREAD) ** 2 / 2.0 + (max(0.0, n * volume - EASY) / DEEPER) ** 2 / 2.0
-        for n in range(most + 1)
-    ]
+def _syllables(units: Sequence[Unit]) -> int:
+    return sum(unit.syllables for unit in units)
 
 
 def _clear(text: Sequence[Unit], index: int) -> bool:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from types import MappingProxyType
+from typing import Protocol
 
 from scorebreath.errors import InputError, did_you_mean
+from scorebreath.parameters.states import Blend
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning import bernardet_2017, bernardet_2019, natural
 from scorebreath.planning.bernardet_2017 import Bernardet2017
@@ -14,23 +15,58 @@ from scorebreath.planning.model import Planner, SyllableCounter
 from scorebreath.planning.natural import Natural
 from scorebreath.planning.syllables import pyphen_counter
 
-Factory = Callable[[Parameters, str, SyllableCounter, bool], Planner]
-"""A planner from parameters, language, the voice's syllable counter, and whether the text is verse."""
+
+class Factory(Protocol):
+    """Makes a planner at the beginning of a text; arguments as of `open_planner`."""
+
+    def __call__(
+        self,
+        parameters: Parameters,
+        language: str,
+        count: SyllableCounter,
+        poem: bool,
+        *,
+        blend: Blend | None,
+        time: float,
+        seed: int,
+        body: str,
+    ) -> Planner:
+        """A planner."""
+
+
+def _papers(model: type[Bernardet2017 | Bernardet2019]) -> Factory:
+    """The papers' models count syllables by hyphenation, as the papers do, and know neither states nor chance."""
+
+    def factory(
+        parameters: Parameters, language: str, count: SyllableCounter, poem: bool, **_: object
+    ) -> Bernardet2017 | Bernardet2019:
+        return model(parameters, pyphen_counter(language), poem)
+
+    return factory
+
 
 PLANNERS = MappingProxyType[str, Factory](
     {
         natural.NAME: Natural,
-        bernardet_2017.NAME: lambda values, language, _, poem: Bernardet2017(values, pyphen_counter(language), poem),
-        bernardet_2019.NAME: lambda values, language, _, poem: Bernardet2019(values, pyphen_counter(language), poem),
+        bernardet_2017.NAME: _papers(Bernardet2017),
+        bernardet_2019.NAME: _papers(Bernardet2019),
     }
 )
-"""The papers' models count syllables by hyphenation, as the papers do; `natural` as the voice says them."""
 
 DEFAULT = natural.NAME
 
 
 def open_planner(
-    model: str, parameters: Parameters, language: str, count: SyllableCounter, *, poem: bool = False
+    model: str,
+    parameters: Parameters,
+    language: str,
+    count: SyllableCounter,
+    *,
+    poem: bool = False,
+    blend: Blend | None = None,
+    time: float = 0.0,
+    seed: int = 0,
+    body: str = "body",
 ) -> Planner:
     """A planner at the beginning of a text.
 
@@ -40,6 +76,10 @@ def open_planner(
         language: BCP 47.
         count: The voice's syllable counter.
         poem: Whether line ends are phrase edges, also behind a comma.
+        blend: States the body is in when the text begins (`natural`).
+        time: When it begins, on the blend's clock, s.
+        seed: Of chance (`natural`).
+        body: Whose chance it is.
 
     Raises:
         InputError: No such model.
@@ -47,4 +87,4 @@ def open_planner(
     factory = PLANNERS.get(model)
     if factory is None:
         raise InputError(f"model={model!r} must be one of {', '.join(PLANNERS)}{did_you_mean(model, PLANNERS)}")
-    return factory(parameters, language, count, poem)
+    return factory(parameters, language, count, poem, blend=blend, time=time, seed=seed, body=body)

@@ -3,40 +3,86 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import cache
 from importlib.resources import files
 from math import log
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import Literal, NamedTuple
 
-from scorebreath.planning.chunker import SITES
-from scorebreath.planning.units import Unit
+from scorebreath.planning.assemble import SITES
+from scorebreath.planning.units import Unit, dividing, forbids
 from scorebreath.score.document import Site
+from scorebreath.script.marks import Act
 from scorebreath.script.model import ScriptWord
 
-READINESS: dict[Site, float] = {
-    "paragraph": 1.0,
-    "sentence": 0.95,
-    "semicolon": 0.75,
-    "comma": 0.30,
-    "line": 0.50,
-    "marker": 0.90,
-    "clause": 0.25,
-    "phrase": 0.05,
-    "word": 0.01,
-}
-"""How probable a breath is at each kind of boundary once some of the budget is used: the order and the ends of
-physiology 1.2. Within a sentence they are lower than there: with those of the table the cheapest plan cuts every longer
-sentence in two, and the groups of a forecast come out too equal (SD 0.7 s; of people 1.5 to 2: physiology 1.1)."""
-COMMA_CLAUSE = 0.37
-"""The same at a comma before a word that opens a clause."""
-CLINGING = 0.0005
-"""The same after a function word, which belongs to what follows: "the | house"."""
-SUSPENDED = CLINGING
-"""The same inside a pair of compounds that share a half: "pre- | and post-war", "Planung und | -bau"."""
+Style = Literal["reading", "spontaneous"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Habits:
+    """How a way of speaking places its breaths."""
+
+    readiness: Mapping[Site, float]
+    """how probable a breath is at each kind of boundary once some of the budget is used"""
+    comma_clause: float
+    """the same at a comma before a word that opens a clause"""
+    clinging: float
+    """the same after a function word, which belongs to what follows: "the | house" """
+    variation: float
+    """scale of the draws that make boundaries easier or harder, in the units of the costs"""
+    length: float
+    """x preferred length of a group"""
+
+
+HABITS: Mapping[Style, Habits] = MappingProxyType(
+    {
+        "reading": Habits(
+            readiness={
+                "paragraph": 1.0,
+                "sentence": 0.95,
+                "semicolon": 0.75,
+                "comma": 0.30,
+                "line": 0.50,
+                "marker": 0.90,
+                "clause": 0.25,
+                "phrase": 0.05,
+                "word": 0.01,
+            },
+            comma_clause=0.37,
+            clinging=0.0005,
+            variation=0.0,
+            length=1.0,
+        ),
+        "spontaneous": Habits(
+            readiness={
+                "paragraph": 1.0,
+                "sentence": 0.90,
+                "semicolon": 0.60,
+                "comma": 0.30,
+                "line": 0.30,
+                "marker": 0.90,
+                "clause": 0.25,
+                "phrase": 0.10,
+                "word": 0.04,
+            },
+            comma_clause=0.35,
+            clinging=0.01,
+            variation=1.0,
+            length=1.0,
+        ),
+    }
+)
+PAUSE = (0.3, 0.90)
+"""A pause from so many seconds on that the markup asks for is a place to breathe, as readily as at a marker."""
 JOINED = 1e-9
-"""The same inside a chain of joined words that is longer than a breath."""
+"""How probable a breath is inside a chain of joined words that is longer than a breath."""
+SUSPENDED = 0.0005
+"""The same inside a pair of compounds that share a half: "pre- | and post-war", "Planung und | -bau"."""
+FORBIDDEN = 1e4
+"""What a breath costs where the markup forbids it: more than any other place. Only a stretch without any other place,
+longer than a breath, is cut there all the same."""
 
 
 HYPHENS = ("-", "\N{HYPHEN}", "\N{NON-BREAKING HYPHEN}", "\N{EN DASH}")
@@ -96,26 +142,43 @@ LOOK_AHEAD = 2
 """Units after a boundary that can change what it is."""
 
 
-def boundary(units: Sequence[Unit], index: int, small: FunctionWords) -> Boundary:
+def boundary(units: Sequence[Unit], index: int, small: FunctionWords, habits: Habits = HABITS["reading"]) -> Boundary:
     """What follows `units[index]`; units beyond the end of `units` are taken not to exist."""
     unit = units[index]
+    if unit.after:
+        if dividing(unit.after):
+            return Boundary("paragraph" if unit.edge == "paragraph" else "tag", 0.0, 0.0)
+        if forbids(unit):
+            return Boundary(_written(units, index, small, habits).site, FORBIDDEN, 0.0)
+        if habits.readiness["marker"] > habits.readiness[SITES[unit.edge]] and _pauses(unit):
+            return _boundary("marker", PAUSE[1])
+    return _written(units, index, small, habits)
+
+
+def _pauses(unit: Unit) -> bool:
+    return any(isinstance(one, Act) and one.name == "pause" and (one.seconds or 0.0) >= PAUSE[0] for one in unit.after)
+
+
+def _written(units: Sequence[Unit], index: int, small: FunctionWords, habits: Habits) -> Boundary:
+    """What stands there, without markup."""
+    unit, readiness = units[index], habits.readiness
     if unit.edge == "joint":
         return _boundary("word", JOINED)
     site = SITES[unit.edge]
-    if "_" in unit.written[unit.letters.end - unit.start :] and READINESS[site] < READINESS["marker"]:
+    if "_" in unit.written[unit.letters.end - unit.start :] and readiness[site] < readiness["marker"]:
         site = "marker"
-    if unit.ends_line and READINESS[site] < READINESS["line"]:
-        return _boundary(site, READINESS["line"])
+    if unit.ends_line and readiness[site] < readiness["line"]:
+        return _boundary(site, readiness["line"])
     if site not in ("comma", "word") or index + 1 >= len(units):
-        return _boundary(site, READINESS[site])
+        return _boundary(site, readiness[site])
     if site == "comma":
-        return _boundary(site, COMMA_CLAUSE if _opens(units, index + 1, small) == "clause" else READINESS[site])
+        return _boundary(site, habits.comma_clause if _opens(units, index + 1, small) == "clause" else readiness[site])
     if _suspended(units, index, small):
         return _boundary(site, SUSPENDED)
     if small.cling(_last(unit), _as_written(unit.words[-1])):
-        return _boundary(site, CLINGING)
+        return _boundary(site, habits.clinging)
     site = _opens(units, index + 1, small)
-    return _boundary(site, READINESS[site])
+    return _boundary(site, readiness[site])
 
 
 def _opens(units: Sequence[Unit], index: int, small: FunctionWords) -> Site:

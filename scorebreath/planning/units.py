@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from scorebreath.planning.model import SyllableCounter
+from scorebreath.script.marks import DIVIDING, Act, Mark, NoBreath, VoiceMark
 from scorebreath.script.model import Edge, ScriptWord, Sentence, SentenceType
 from scorebreath.spans import Span
 
@@ -15,8 +16,12 @@ class Unit:
     """One word, or several that are joined (`joint` edges inside)."""
 
     words: tuple[ScriptWord, ...]
+    counts: tuple[int, ...]
+    """syllables of each word"""
+    ends: tuple[int, ...]
+    """code points of the text: after the last mark of each word, where a part that ends with it ends"""
     syllables: int
-    """at least 1: whatever is said takes time"""
+    """of all words, at least 1: whatever is said takes time"""
     written: str
     """as written, up to where the next unit begins"""
     start: int
@@ -32,6 +37,11 @@ class Unit:
     sentence_type: SentenceType
     closes: bool
     """whether a sentence ends with it"""
+
+    @property
+    def after(self) -> tuple[Mark, ...]:
+        """What the markup asks for between it and the next unit."""
+        return self.words[-1].after
 
     @property
     def frontier(self) -> int:
@@ -73,7 +83,7 @@ class UnitReader:
                 yield self._close()
             self._chain.append(part)
             self._syllables += part.syllables
-            if part.word.edge != "joint":
+            if part.word.edge != "joint" or dividing(part.word.after):
                 yield self._close()
 
     def rest(self) -> Iterator[Unit]:
@@ -96,12 +106,16 @@ class UnitReader:
         written = "".join(part.written for part in chain)
         start, edge = first.word.source.start, last.word.edge
         letters = Span(_letters(first).start, _letters(last).end)
+        counts = [part.syllables for part in chain]
+        counts[0] += syllables == 0
         return Unit(
             words=tuple(part.word for part in chain),
+            counts=tuple(counts),
+            ends=tuple(_end(part) for part in chain),
             syllables=max(1, syllables),
             written=written,
             start=start,
-            end=max(start + len(written.rstrip()), last.word.source.end),
+            end=_end(last),
             letters=letters,
             edge=edge,
             ends_line=edge == "line" or (self._poem and edge != "paragraph" and "\n" in written[letters.end - start :]),
@@ -128,6 +142,23 @@ class Remembering:
         if new := [word for word in dict.fromkeys(words) if word not in self._known]:
             self._known.update(zip(new, self._count(new), strict=True))
         return [self._known[word] for word in words]
+
+
+def dividing(marks: Sequence[Mark]) -> Mark | None:
+    """The mark before which a breath group ends whatever else stands there: a breath, a sound of one, another voice."""
+    for mark in marks:
+        if isinstance(mark, VoiceMark) or (isinstance(mark, Act) and mark.name in DIVIDING):
+            return mark
+    return None
+
+
+def forbids(unit: Unit) -> bool:
+    """Whether the markup forbids a breath behind a unit; where it asks for one at the same place, that is taken."""
+    return any(isinstance(mark, NoBreath) for mark in unit.after) and not dividing(unit.after)
+
+
+def _end(part: _Part) -> int:
+    return max(part.word.source.start + len(part.written.rstrip()), part.word.source.end)
 
 
 def _letters(part: _Part) -> Span:

@@ -14,7 +14,7 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.planning.chunker import MOST_CANDIDATES
 from scorebreath.planning.explain import explain
 from scorebreath.planning.model import BreathGroup, plan
-from scorebreath.planning.natural import most_syllables
+from scorebreath.planning.starts import most_syllables
 from scorebreath.planning.planners import PLANNERS, open_planner
 from scorebreath.planning.syllables import vowel_counter
 from tests.planning.written import at_once, sentences, windows
@@ -186,10 +186,16 @@ def test_an_unknown_model_names_the_known_ones() -> None:
 
 @settings(max_examples=50, deadline=None)
 @given(text=texts(), parameters=settings_of_planners)
-def test_natural_never_exceeds_the_breath_and_cuts_every_paragraph(text: str, parameters: Parameters) -> None:
+def test_natural_never_exceeds_the_breath_and_cuts_paragraphs(text: str, parameters: Parameters) -> None:
+    """All but those before 3 syllables or less that come within 1.5 s (7 syllables) of the last breath."""
     most = most_syllables(parameters)
     found = groups("natural", parameters, text)
     for group in found:
         assert group.syllables <= most or len({word.edge for word in group.words[:-1]} - {"joint"}) == 0
-        assert all(word.edge != "paragraph" for word in group.words[:-1])
+        before = 0
+        for part in group.parts[:-1]:
+            before += part.syllables
+            assert part.words[-1].edge != "paragraph" or before <= 7
+        if any(part.site == "paragraph" for part in group.parts[1:]):
+            assert group.syllables <= 7 + 3
         assert group.cut.candidates[0].cost == min(candidate.cost for candidate in group.cut.candidates)

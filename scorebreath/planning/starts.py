@@ -1,0 +1,184 @@
+"""What a breath carries, and what a group of so many syllables costs from a start (physiology 1.1, 1.5, 2.2)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import ceil, exp, log
+
+from scorebreath.parameters.table import Parameters
+
+SPREAD = 0.45
+"""Sigma of the lognormal cost of a group's length. Measured groups spread by 0.385 (physiology 1.1), but those are
+outcomes, and the cheapest plan keeps clear of the tails: a milder cost makes its groups spread as widely."""
+BUDGET = 0.35
+"""Share of the preferred length from which on a boundary is passed at a cost (physiology 1.2: 0.6)."""
+EASY = 0.27
+"""Vital capacity that a breath uses with ease: from 52 % (usual initiation) to 25 % (lowest termination;
+physiology 2.2)."""
+DEEPER = 0.05
+"""Standard deviation of what deeper breaths take on top (physiology 2.2: SD of the initiation)."""
+HIGHEST = (0.65, 0.85)
+"""Where speech begins at most, fraction of VC: in comfort, and with all that a loud voice adds (physiology 2.2)."""
+LOWEST = (0.25, 0.20)
+"""Where it ends at least: in comfort, and with all that a lower posture or a soft voice takes (physiology 2.2)."""
+MUCH = 0.24
+"""Vital capacity beyond which a group tires: the next one is still recovering (half again of the usual 0.16)."""
+RECOVERY = 0.8
+"""What recovering costs a group that uses an easy breath or more; a shorter one in proportion. The next group then
+tends to be shorter, and its breath is not skipped."""
+LONGEST = 12.5
+"""Seconds from the inspiration's onset to the last phone (physiology 1.1; B52: 12.6)."""
+RATE = 5.0
+"""Syllables a second at prosody_rate 1 (physiology 1.1)."""
+CAPACITY_EXPONENT = 0.15
+"""How groups grow with `capacity_lung`: hardly (physiology 0.2, trap 3; the papers' is 0.5)."""
+RATE_EXPONENT = 0.7
+"""How they grow with the speaking rate: 1.3 times as fast gives 1.2 times the syllables (physiology 1.5)."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Start:
+    """The body where a group begins: what groups cost from there. Two starts are the same only if they are one."""
+
+    preferred: float
+    """syllables"""
+    fresh: tuple[float, ...]
+    """cost of a group of n syllables, for n up to the most one breath can hold; shape (most + 1,)"""
+    tired: tuple[float, ...]
+    """the same while recovering: as much or more, the same shape"""
+    budget: int
+    """syllables from which on boundaries are passed at a cost; whole, as syllables are: sums with it are exact"""
+    much: int
+    """syllables beyond which the next group is recovering"""
+
+    @property
+    def most(self) -> int:
+        """Syllables one breath holds."""
+        return len(self.fresh) - 1
+
+    @property
+    def recovery(self) -> float:
+        """The most that recovering can cost."""
+        return max(after - before for after, before in zip(self.tired, self.fresh, strict=True))
+
+    def length(self, recovering: bool) -> tuple[float, ...]:
+        """Cost by syllables."""
+        return self.tired if recovering else self.fresh
+
+
+def start(preferred: float, most: int, volume: float, *, budget: float = BUDGET) -> Start:
+    """A start.
+
+    Args:
+        preferred: Syllables.
+        most: Syllables one breath holds.
+        volume: Of one syllable, fraction of the person's vital capacity.
+        budget: Share of the preferred length from which on boundaries are passed at a cost.
+    """
+    fresh = length_costs(preferred, most, volume)
+    tired = (cost + RECOVERY * min(1.0, n * volume / EASY) for n, cost in enumerate(fresh))
+    return Start(
+        preferred=preferred,
+        fresh=tuple(fresh),
+        tired=tuple(tired),
+        budget=ceil(budget * preferred),
+        much=int(MUCH / volume),
+    )
+
+
+def length_costs(preferred: float, most: int, volume: float) -> list[float]:
+    r"""Cost of groups of 0 to `most` syllables, each taking `volume` of the lungs.
+
+    :math:`\ln^2(n / m) / 2 \sigma^2`, with the median :math:`m = preferred \cdot e^{-\sigma^2 / 2}` that makes
+    `preferred` the mean; beyond an easy breath also :math:`(n \cdot volume - EASY)^2 / 2 \cdot DEEPER^2`.
+
+    >>> costs = length_costs(18.0, 44, 0.009)
+    >>> costs.index(min(costs)), round(costs[8], 2), round(costs[30], 2), round(costs[41], 2)
+    (16, 1.24, 0.93, 4.07)
+    """
+    median = preferred * exp(-(SPREAD**2) / 2.0)
+    return [
+        (log(max(1, n) / median) / SPREAD) ** 2 / 2.0 + (max(0.0, n * volume - EASY) / DEEPER) ** 2 / 2.0
+        for n in range(most + 1)
+    ]
+
+
+def preferred_syllables(p: Parameters, factor: float = 1.0, rate: float = 1.0, frequency: float = 1.0) -> float:
+    """Syllables that a group has by preference, 1 to 100.
+
+    Args:
+        p: `length_utterance` set by hand stands; else `norm_syllables`, `capacity_lung` and `prosody_rate` count.
+        factor: Of the person and of the moment (`Modifiers.syllables`).
+        rate: Speaking rate that the markup asks for.
+        frequency: Of breaths, that the markup asks for.
+
+    >>> preferred_syllables(Parameters()), preferred_syllables(Parameters(length_utterance=30.0), 0.5, 1.0, 2.0)
+    (18.0, 15.0)
+    >>> round(preferred_syllables(Parameters(prosody_rate=1.3)), 1), round(preferred_syllables(Parameters(), 0.8), 1)
+    (21.6, 14.4)
+    """
+    if p.length_utterance is not None:
+        syllables = p.length_utterance
+    else:
+        size = (p.capacity_lung / 100.0) ** CAPACITY_EXPONENT
+        syllables = p.norm_syllables * size * (p.prosody_rate * rate) ** RATE_EXPONENT * factor
+    return min(100.0, max(1.0, syllables / frequency))
+
+
+def most_syllables(p: Parameters, volume: float = 1.0, shift: float = 0.0, rate: float = 1.0) -> int:
+    """Syllables one breath holds: as many as the lungs, or the longest group, allow; at least 1.
+
+    Args:
+        p: The parameters.
+        volume: x volume spent on a syllable (`Modifiers.volume`).
+        shift: Of the levels at which speech begins and ends (`Modifiers.start`).
+        rate: Speaking rate that the markup asks for.
+
+    >>> most_syllables(Parameters()), most_syllables(Parameters(capacity_lung=64.0))
+    (44, 28)
+    >>> most_syllables(Parameters(volume_per_syllable=0.001))
+    57
+    """
+    highest = min(HIGHEST[1], HIGHEST[0] + shift)
+    lowest = max(LOWEST[1], LOWEST[0] + min(0.0, shift))
+    by_volume = (highest - lowest + 1e-9) / (volume * syllable_volume(p))
+    by_time = (LONGEST - p.inspiration_base - p.silence_after_breath) / (
+        1.0 / (RATE * p.prosody_rate * rate) + p.inspiration_per_syllable
+    )
+    return max(1, int(min(by_volume, by_time)))
+
+
+def syllable_volume(p: Parameters) -> float:
+    """What one syllable takes of the person's own vital capacity, as a fraction.
+
+    >>> syllable_volume(Parameters(capacity_lung=50.0))
+    0.018
+    """
+    return p.volume_per_syllable * 100.0 / p.capacity_lung
+
+
+@lru_cache(maxsize=256)
+def extremes(length: tuple[float, ...], sign: int) -> list[list[float]]:
+    """How much more a group can cost with other syllables besides: [others][syllables], whatever is still added.
+
+    Args:
+        length: Cost of a group of n syllables, n = 0..most.
+        sign: 1 for what the longer group costs more, -1 for what the shorter one does.
+
+    Returns:
+        Shape (most + 1, most + 1); -infinity where the longer one exceeds the breath.
+
+    >>> extremes((9.0, 4.0, 1.0, 0.0, 2.0), -1)[1]
+    [5.0, 3.0, 1.0, -2.0, -inf]
+    >>> extremes((9.0, 4.0, 1.0, 0.0, 2.0), 1)[1]
+    [2.0, 2.0, 2.0, 2.0, -inf]
+    """
+    most = len(length) - 1
+    rows = [[float("-inf")] * (most + 1) for _ in length]
+    for others, row in enumerate(rows):
+        extreme = float("-inf")
+        for syllables in range(most - others, -1, -1):
+            extreme = max(extreme, sign * (length[syllables + others] - length[syllables]))
+            row[syllables] = extreme
+    return rows

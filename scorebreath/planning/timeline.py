@@ -1,0 +1,109 @@
+"""When, roughly, each place of a text is said, and the body's state there: no voice has spoken yet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import exp, log
+
+from scorebreath.parameters.modifiers import Modifiers, modifiers
+from scorebreath.parameters.states import Blend
+from scorebreath.parameters.table import Parameters
+from scorebreath.planning import starts
+from scorebreath.planning.starts import RATE, Start
+from scorebreath.planning.units import Unit
+from scorebreath.script.marks import DIVIDING, Act, BreathingMark, Mark, ProsodyMark, StateMark
+
+STEPS = 20
+"""Steps a factor is rounded to, in an e-fold: starts within 5 % are one, so that they can be compared."""
+LEVELS = 50
+"""Steps an intensity is rounded to."""
+REMEMBERED = 1000
+"""starts and states that are remembered"""
+ACT = 0.8
+"""s that a breath or a sound of one takes, where the markup does not say"""
+HELD = 0.5
+"""s of a held breath, where the markup does not say"""
+
+
+class Timeline:
+    """Goes along with the text, unit by unit.
+
+    Args:
+        parameters: What was set.
+        blend: The states at the beginning of the text.
+        time: When the text begins, on the blend's clock, s.
+        style: x preferred length.
+    """
+
+    def __init__(self, parameters: Parameters, blend: Blend, *, time: float = 0.0, style: float = 1.0) -> None:
+        """Stand before the text."""
+        self.time = time
+        self._p = parameters
+        self._blend = blend
+        self._style = style
+        self._rate = self._frequency = 1.0
+        self._modifiers: dict[tuple[tuple[str, float], ...], Modifiers] = {}
+        self._starts: dict[tuple[int, ...], Start] = {}
+
+    def heed(self, marks: Sequence[Mark]) -> None:
+        """What the markup asks for here is done, and takes its time."""
+        p = self._p
+        for mark in marks:
+            if isinstance(mark, StateMark):
+                self._blend, _ = self._blend.changed(self.time, mark.name, mark.intensity, mark.ramp, held=mark.held)
+            elif isinstance(mark, ProsodyMark):
+                self._rate = mark.rate
+            elif isinstance(mark, BreathingMark):
+                self._frequency = mark.frequency
+            elif isinstance(mark, Act):
+                usual = ACT if mark.name in DIVIDING else HELD if mark.name == "hold" else p.breathless_pause
+                self.time += usual if mark.seconds is None else mark.seconds
+
+    def say(self, unit: Unit) -> Start:
+        """A unit is said, and what stands behind it; the start of a group that begins there."""
+        p = self._p
+        preferred = self.start().preferred
+        breath = p.inspiration_base + p.silence_before_breath + p.silence_after_breath
+        self.time += unit.syllables * (
+            1.0 / (RATE * p.prosody_rate * self._rate) + p.inspiration_per_syllable + breath / preferred
+        )
+        if unit.edge == "paragraph":
+            self.time += p.silence_after_paragraph
+        elif unit.closes:
+            self.time += p.silence_after_sentence
+        self.heed(unit.after)
+        return self.start()
+
+    def start(self) -> Start:
+        """The body here and now."""
+        now = self._now()
+        shift, rate = round(now.start * 100.0), _step(self._rate)
+        key = (_step(now.syllables / self._frequency), _step(now.volume), shift, rate, _step(self._frequency))
+        if key not in self._starts:
+            if len(self._starts) >= REMEMBERED:
+                self._starts.clear()
+            frequency = _factor(key[4])
+            factor = self._style * _factor(key[0]) * frequency
+            self._starts[key] = starts.start(
+                starts.preferred_syllables(self._p, factor, _factor(rate), frequency),
+                starts.most_syllables(self._p, _factor(key[1]), shift / 100.0, _factor(rate)),
+                starts.syllable_volume(self._p) * _factor(key[1]),
+            )
+        return self._starts[key]
+
+    def _now(self) -> Modifiers:
+        levels = ((name, round(level * LEVELS) / LEVELS) for name, level in self._blend.at(self.time).items())
+        states = tuple(sorted((name, level) for name, level in levels if level))
+        if states not in self._modifiers:
+            if len(self._modifiers) >= REMEMBERED:
+                self._modifiers.clear()
+            self._modifiers[states] = modifiers(self._p, dict(states))
+        return self._modifiers[states]
+
+
+def _step(factor: float) -> int:
+    return round(log(factor) * STEPS)
+
+
+def _factor(step: int) -> float:
+    return exp(step / STEPS)
