@@ -1,11 +1,10 @@
-"""What parameters that were not set by hand follow from: Eq. 1, and the person's body."""
+"""From abstract to low-level parameters: Eq. 1, value by value, hand-set values first."""
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 
 from scorebreath.equations import bernardet as eq
-from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
 
 
@@ -54,21 +53,3 @@ def derive(p: Parameters) -> LowLevel:
         urgency_limit=chosen(p.urgency_limit, eq.urgency_limit(utterance)),
         prosody_loudness=chosen(p.prosody_loudness, p.speaking_loudness),
     )
-
-
-def derived_values(p: Parameters) -> dict[str, float]:
-    """Every parameter whose default is None, with the value in force: Eq. 1 and the body of the person.
-
-    Raises:
-        ParameterError: No equation predicts this person's vital capacity.
-
-    >>> values = derived_values(Parameters(capacity_lung=64.0))
-    >>> values["length_inspiration"], values["vital_capacity"], values["vocal_tract_length"]
-    (0.64, 5.1, 17.0)
-    """
-    body = physique(p)
-    return asdict(derive(p)) | {
-        "vital_capacity": body.vital_capacity,
-        "resting_volume": body.resting_volume,
-        "vocal_tract_length": body.vocal_tract,
-    }
