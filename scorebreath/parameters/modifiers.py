@@ -29,7 +29,7 @@ class Modifiers:
     volume: float = 1.0
     """x volume spent on a syllable"""
     start: float = 0.0
-    """shift of the levels at which speech begins and ends, fraction of VC, on top of what the resting level does to them
+    """shift of the levels at which speech begins and ends, fraction of VC; they go with the resting level, too
     (`Physique.resting_volume`: posture)"""
     pause: float = 1.0
     """x silences before a breath"""

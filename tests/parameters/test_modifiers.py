@@ -40,7 +40,8 @@ TABLE_1_5: list[tuple[str, dict[str, Any], dict[str, float]]] = [
      {"syllables": 0.7, "inspiration": 1.0, "said": 0.9, "thorax_share": 0.50, "rate": 1.1}),
     ("COPD", {"condition": "copd"},
      {"syllables": 0.6, "inspiration": 1.5, "said": 1.0, "breath_db": 6.0, "fraction": 0.50}),
-    ("supine", {"posture": "supine"}, {"start": 0.0, "syllables": 0.95, "inspiration": 1.0, "volume": 1.0, "thorax_share": 0.30}),
+    ("supine", {"posture": "supine"},
+     {"start": 0.0, "syllables": 0.95, "inspiration": 1.0, "volume": 1.0, "thorax_share": 0.30}),
     ("slim", {"abdomen_share": 0.20}, {"thorax_share": 0.80, "syllables": 1.0}),
     ("stout", {"abdomen_share": 0.50}, {"thorax_share": 0.50, "syllables": 1.0}),
 ]  # fmt: skip
