@@ -12,12 +12,13 @@ from scorebreath.compose.models import BreathingModel, breathing_model
 from scorebreath.compose.parts import closing
 from scorebreath.compose.state import BodyState, Places, Spoken, SpokenPart
 from scorebreath.errors import InputError
+from scorebreath.media.recordings import Recordings
 from scorebreath.media.store import FolderStore, MediaStore
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup, SyllableCounter, plan
 from scorebreath.planning.planners import open_planner
 from scorebreath.score.document import Body, Group, MediaInfo, Score, VoiceInfo
-from scorebreath.score.events import Event, Pause
+from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Pause
 from scorebreath.script.marks import StateMark
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import read
@@ -58,6 +59,7 @@ def compile_text(
     states: Mapping[str, float] | None = None,
     voices: Callable[[str], Voice] | None = None,
     cast: Mapping[str, Parameters] | None = None,
+    recordings: Recordings | None = None,
     on_progress: Progress | None = None,
 ) -> Score:
     """Turn a text into a Score.
@@ -77,6 +79,7 @@ def compile_text(
         states: States the body is in from the beginning, with their intensities (`parameters.states`).
         voices: Opens a voice by its name, for texts that change the voice; the caller closes it.
         cast: Parameters of those who speak with another voice, by the voice's name; else as the first one's.
+        recordings: The user's own breaths, in `media`.
         on_progress: Told the fraction of the text that is done, 0..1.
 
     Returns:
@@ -97,7 +100,9 @@ def compile_text(
         if name not in performers:
             known = cast.get(name, p) if cast else p
             who = BODY if not performers else f"{BODY}{len(performers) + 1}"
-            performers[name] = _enter(who, voice if not name else _opened(voices, name), known, breathing, seed)
+            performers[name] = _enter(
+                who, voice if not name else _opened(voices, name), known, breathing, seed=seed, recordings=recordings
+            )
         return performers[name]
 
     main = performer("")
@@ -127,6 +132,7 @@ def compile_text(
     main.events.append(_silence("end", clock, snap(tail)))
     for who in performers.values():
         _go_on(who, breathing.rest(who.state, end, "rest"))
+    events = tuple(event for who in performers.values() for event in who.events)
     return Score(
         made_by=made_by(),
         seed=seed,
@@ -135,9 +141,9 @@ def compile_text(
         text=script.text,
         duration=end,
         bodies=tuple(_body(who) for who in performers.values()),
-        media=sounds,
+        media=sounds | _breath_media(events, recordings),
         groups=tuple(groups),
-        events=tuple(event for who in performers.values() for event in who.events),
+        events=events,
     )
 
 
@@ -149,9 +155,19 @@ def begin_states(states: Mapping[str, float]) -> tuple[StateMark, ...]:
     )
 
 
-def _enter(who: str, voice: Voice, p: Parameters, breathing: BreathingModel, seed: int) -> _Performer:
+def _enter(
+    who: str, voice: Voice, p: Parameters, breathing: BreathingModel, *, seed: int, recordings: Recordings | None
+) -> _Performer:
     person = breathing.person(p)
-    state = BodyState(body=who, seed=seed, parameters=p, person=person, time=0.0, volume=person.resting_volume)
+    state = BodyState(
+        body=who,
+        seed=seed,
+        parameters=p,
+        person=person,
+        time=0.0,
+        volume=person.resting_volume,
+        recordings=recordings,
+    )
     return _Performer(voice=voice, state=state, events=[])
 
 
@@ -284,6 +300,21 @@ def _media_info(said: SpokenPart) -> MediaInfo:
         sample_rate=speech.sample_rate,
         kind="speech",
     )
+
+
+def _breath_media(events: Iterable[Event], recordings: Recordings | None) -> dict[str, MediaInfo]:
+    """The recordings that some event sounds with."""
+    if recordings is None:
+        return {}
+    noises = (event.noise for event in events if isinstance(event, Inspiration | Expiration | Hold))
+    used = {source for noise in noises if noise for source in (noise.source, noise.source_nose)}
+    takes = {take.sha: take for kind in recordings.takes.values() for take in kind if take.sha in used}
+    return {
+        sha: MediaInfo(
+            path=FolderStore.path(sha, "breath"), frames=take.frames, sample_rate=take.sample_rate, kind="breath"
+        )
+        for sha, take in takes.items()
+    }
 
 
 def _silence(kind: str, onset: float, duration: float) -> Pause:

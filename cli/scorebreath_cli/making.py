@@ -20,6 +20,7 @@ from scorebreath_cli.settings import (
 )
 
 if TYPE_CHECKING:
+    from scorebreath.media.recordings import Recordings
     from scorebreath.media.store import MediaStore
     from scorebreath.score.document import Score
     from scorebreath.speech.model import Voice
@@ -42,6 +43,7 @@ class Compiler:
         self.options, self._printer = options, printer
         self._voice: Voice | None = None
         self._others: dict[str, Voice] = {}
+        self._described = False
 
     def voice(self) -> Voice:
         """The voice; a first call starts its process, which gets ready by itself.
@@ -71,6 +73,21 @@ class Compiler:
 
             self._others[name] = open_voice(name, self.options.language or DEFAULT_LANGUAGE)
         return self._others[name]
+
+    def _recordings(self, media: MediaStore) -> Recordings | None:
+        """The user's own breaths, made ready in `media`, with a line about each."""
+        if self.options.breaths is None:
+            return None
+        from pathlib import Path
+
+        from scorebreath.media.recordings import describe, load_recordings
+
+        recordings = load_recordings(Path(self.options.breaths), media, seed=seed(self.options.seed))
+        if not self._described:
+            for line in describe(recordings):
+                self._printer.note(line)
+            self._described = True
+        return recordings
 
     def compile(self, source: Source, media: MediaStore, meanwhile: Callable[[], object] = lambda: None) -> Score:
         """The Score of a script; its speech goes to `media`.
@@ -108,6 +125,7 @@ class Compiler:
             markup=options.kind_of_markup(),
             states=states,
             voices=self.other,
+            recordings=self._recordings(media),
             on_progress=lambda fraction: self._printer.progress("speak", fraction),
         )
         self._printer.progress("speak", 1.0)

@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 from scorebreath.compose.idle import LONG_WAIT, wait
 from scorebreath.compose.placer import Placer
-from scorebreath.compose.sounds import Air
+from scorebreath.compose.sounds import Air, sources
 from scorebreath.score.event import Origin
 from scorebreath.score.events import Noise
 from scorebreath.script.marks import Act, ActName
@@ -80,7 +80,7 @@ def _sigh(placer: Placer, how: Asked) -> None:
     placer.exhale(
         "sigh_out", level.rest - 0.02, 0.6 * whole, rule=how.rule, kind="sigh", origin=how.origin, mouth=gain,
         opening=1.2, profile="exponential", peak=0.12,
-        air=Air(level_db=-3.0, extra_db=how.level_db, delay=0.0, trapezoid=(0.10, 0.70)),
+        air=Air(kind="sigh", level_db=-3.0, extra_db=how.level_db, delay=0.0, trapezoid=(0.10, 0.70)),
     )  # fmt: skip
 
 
@@ -99,7 +99,7 @@ def gasp(placer: Placer, to: float, how: Asked) -> None:
     placer.inhale(
         "gasp", max(to, placer.levels.rest + 0.25), length, rule=how.rule, kind="gasp", origin=how.origin,
         nose=0.05 * gain, mouth=0.95 * gain, opening=2.5, peak=0.7,
-        air=Air(level_db=4.0, extra_db=how.level_db, delay=0.02, trapezoid=(0.6, release)),
+        air=Air(kind="gasp", level_db=4.0, extra_db=how.level_db, delay=0.02, trapezoid=(0.6, release)),
     )  # fmt: skip
     placer.hold("gasp_hold", placer.chances.between("gasp.hold", 0.2, 0.6), rule=how.rule, origin=how.origin, held=True)
 
@@ -114,7 +114,7 @@ def _sniff(placer: Placer, how: Asked) -> None:
         placer.inhale(
             "sniff", placer.volume + 0.025, how.lasting(0.22), rule=how.rule, kind="sniff", origin=how.origin,
             nose=gain, mouth=0.0, opening=2.0, peak=0.35,
-            air=Air(level_db=3.0, extra_db=how.level_db, delay=0.01, trapezoid=(0.2, 0.35)),
+            air=Air(kind="sniff", level_db=3.0, extra_db=how.level_db, delay=0.01, trapezoid=(0.2, 0.35)),
         )  # fmt: skip
 
 
@@ -134,7 +134,7 @@ def _laugh(placer: Placer, how: Asked) -> None:
     placer.exhale(
         "laugh", end, count / rate, rule=how.rule, kind="laugh", origin=how.origin, mouth=gain, opening=1.6,
         puffs=tuple(number / rate for number in range(count)), peak=0.25,
-        air=Air(level_db=6.0, extra_db=how.level_db, delay=0.0, trapezoid=(0.15, 0.6)),
+        air=Air(kind="laugh", level_db=6.0, extra_db=how.level_db, delay=0.0, trapezoid=(0.15, 0.6)),
     )  # fmt: skip
 
 
@@ -143,7 +143,8 @@ def puff(placer: Placer, how: Asked) -> None:
     gain = placer.p.amplitude_breathing_sound
     placer.exhale(
         "puff", placer.volume - 0.02, 0.12, rule=how.rule, kind="laugh", origin=how.origin, nose=gain, mouth=0.0,
-        opening=1.5, puffs=(0.0,), air=Air(level_db=10.0, extra_db=how.level_db, delay=0.0, trapezoid=(0.2, 0.5)),
+        opening=1.5, puffs=(0.0,),
+        air=Air(kind="laugh", level_db=10.0, extra_db=how.level_db, delay=0.0, trapezoid=(0.2, 0.5)),
     )  # fmt: skip
 
 
@@ -160,7 +161,7 @@ def let_go(placer: Placer, to: float, seconds: float, how: Asked) -> None:
     gain = placer.p.amplitude_breathing_sound
     placer.exhale(
         "exhale", to, how.lasting(seconds), rule=how.rule, kind="audible", origin=how.origin, mouth=gain, opening=1.0,
-        peak=0.3, air=Air(level_db=-3.0, extra_db=how.level_db),
+        peak=0.3, air=Air(kind="exhale", level_db=-3.0, extra_db=how.level_db),
     )  # fmt: skip
 
 
@@ -179,6 +180,7 @@ def _catch(placer: Placer, how: Asked, length: float) -> Noise | None:
     return Noise(
         onset=0.0, duration=snap(sounding), attack=attack, hold=0.0, release=snap(snap(sounding) - attack),
         level_db=snap(p.breath_level - 8.0 + how.level_db), seed=placer.chances.noise("hold.noise"),
+        **sources(placer.state, placer.chances.place, "hold"),
     )  # fmt: skip
 
 

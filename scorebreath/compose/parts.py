@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from scorebreath import chance
-from scorebreath.compose.sounds import default_mix
+from scorebreath.compose.sounds import default_mix, sources
 from scorebreath.compose.state import BodyState, Spoken, SpokenPart
 from scorebreath.equations.breath import trapezoid
 from scorebreath.parameters.derive import LowLevel, derive
@@ -53,6 +53,7 @@ def trapezoid_noise(state: BodyState, spoken: Spoken, *, onset: float, length: f
         release=shape.release,
         level_db=snap(state.parameters.breath_level - default_mix()),
         seed=chance.engine_seed(state.seed, state.body, "inspiration.noise", spoken.place),
+        **sources(state, spoken.place, "mouth"),
     )
 
 

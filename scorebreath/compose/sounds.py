@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import pi
+from typing import TypedDict
 
 from scorebreath.compose.chances import Chances
 from scorebreath.compose.state import BodyState
 from scorebreath.equations.breath import brightness, flow_level, mix_level, trapezoid
+from scorebreath.media.recordings import RecordingKind
 from scorebreath.parameters.modifiers import Modifiers
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.events import Noise
 from scorebreath.units import snap
 
+SYNTH = "synth"
+"""Source of what is not recorded."""
 REFERENCE_FLOW = 0.235 * pi / 2
 """Highest flow, VC/s, of a breath that is as loud as `breath_level`. A group of 18 syllables takes 16.2 % of VC in
 0.6 s, 0.27 VC/s on average (physiology 1.3, 2.2); most breaths are for less, and their mean level is what is asked."""
@@ -30,6 +34,8 @@ PEAK = 0.40
 class Air:
     """Air that moves, as far as its sound is concerned."""
 
+    kind: RecordingKind = "mouth"
+    """whose recordings serve, beside the nose's"""
     flow: float = 0.0
     """highest, VC/s"""
     length: float = 0.0
@@ -75,9 +81,26 @@ def noise(state: BodyState, m: Modifiers, chances: Chances, air: Air, *, purpose
         release=release,
         level_db=snap(max(-200.0, min(40.0, level))),
         seed=chances.noise(purpose),
+        **sources(state, chances.place, air.kind),
         envelope="flow" if air.trapezoid is None and p.breath_envelope == "flow" else "trapezoid",
         brightness=snap(brightness(air.flow, REFERENCE_FLOW) * m.brightness),
     )
+
+
+class Sources(TypedDict):
+    """Where a noise comes from, as `Noise` names it."""
+
+    source: str
+    source_nose: str
+
+
+def sources(state: BodyState, place: str, kind: RecordingKind) -> Sources:
+    """The recordings of a breath, where the user has given some; the synthesiser's where not."""
+    known = state.recordings
+    take = known.take(kind, state.body, place) if known else None
+    through_nose = known.take("nose", state.body, place) if known and kind == "mouth" else None
+    source, nose = (each.sha if each else SYNTH for each in (take, through_nose))
+    return Sources(source=source, source_nose=nose if kind == "mouth" and nose != source else "")
 
 
 def _envelope(p: Parameters, air: Air, length: float) -> tuple[float, float, float]:

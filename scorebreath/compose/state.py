@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field
 
+from scorebreath.media.recordings import Recordings
 from scorebreath.parameters.states import Blend
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup, Part
@@ -31,6 +32,8 @@ class BodyState:
     """the states it is in"""
     breathing: BreathingMark | None = None
     """how the markup wants its breaths"""
+    recordings: Recordings | None = None
+    """the user's own breaths"""
     sighed: float = 0.0
     """s; when it last sighed, or began"""
     waits: int = 0

@@ -65,6 +65,8 @@ class Noise(Part):
     """of the engine's noise, 1..2^24-1"""
     source: str = "synth"
     """`synth`, or the SHA-256 of a recording in the media"""
+    source_nose: str = ""
+    """the same for what sounds through the nose, where that is something else; empty: as `source`"""
     envelope: Literal["trapezoid", "flow"] = "trapezoid"
     """`trapezoid`: straight ramps (B46); `flow`: amplitude goes with flow^1.66, the flow rising over the attack and falling
     over the release by a quarter of a sine each (physiology 3.3)"""
