@@ -19,8 +19,10 @@ from scorebreath.script import emoticons
 from scorebreath.script.normalise.figures import has_figures
 from scorebreath.script.normalise.tables import Tables, tables
 
-END = re.compile(r"(?<![.!?Fe\"')_])[.!?Fe\"')_]++")
+END = re.compile(r"(?<![.!?FeZ\"')_])[.!?FeZ\"')_]++")
 """A run of marks and what closes behind them, in kinds; see `candidate`."""
+FORCED = "Z"
+"""What the reader puts for the kind of a character that ends a sentence because markup says so."""
 
 _MARK = re.compile(r"[.!?Fe]")
 _CLOSED = re.compile(r"[.!?Fe].*[\"')]")
@@ -41,7 +43,7 @@ _COPY = re.compile(
 def candidate(kinds: str, run: re.Match[str], limit: int) -> bool:
     """Whether a run of `END` may end a sentence: it has a mark, and space follows (known before `limit`)."""
     found = run.group()
-    if "F" in found:
+    if "F" in found or FORCED in found:
         return True
     end = run.end()
     return end < limit and kinds[end] in " nf" and _MARK.search(found) is not None
@@ -50,8 +52,8 @@ def candidate(kinds: str, run: re.Match[str], limit: int) -> bool:
 def certain(text: str, kinds: str, start: int, end: int, language: str) -> bool:
     """Whether a candidate ends a sentence beyond doubt, so that pysbd need not be asked.
 
-    Beyond doubt are, in languages with a table, marks behind a word of two or more small letters that is no
-    abbreviation, followed by a single space and a capital.
+    Beyond doubt are what markup ends and, in languages with a table, marks behind a word of two or more small letters
+    that is no abbreviation, followed by a single space and a capital.
 
     Args:
         text: Text that is known.
@@ -60,6 +62,8 @@ def certain(text: str, kinds: str, start: int, end: int, language: str) -> bool:
         end: Behind its last one.
         language: BCP 47 primary language.
     """
+    if FORCED in kinds[start:end]:
+        return True
     if not tables(language).known or not _PLAIN_MARKS.fullmatch(kinds, start, end):
         return False
     following = _CAPITAL.match(kinds, end)
@@ -95,7 +99,8 @@ def ends(text: str, kinds: str, language: str, *, final: bool) -> list[int]:
     return [
         end
         for start, end in runs
-        if (_stands(text, kinds, start, end, language) if end in held else _missed(text, start, end, language))
+        if FORCED in kinds[start:end]
+        or (_stands(text, kinds, start, end, language) if end in held else _missed(text, start, end, language))
     ]
 
 

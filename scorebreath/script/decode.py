@@ -1,4 +1,4 @@
-"""Bytes to text: UTF-8, strictly, with the place of the first byte that is not."""
+"""Bytes to text: UTF-8, strictly, with the place of the first byte that is not; and what no text may be."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from scorebreath.errors import ScriptError
 
 LIMIT = 64 * 1024 * 1024
 """Bytes of text that are read; more is no script but a mistake."""
+
+SURROGATE = re.compile("[\ud800-\udfff]")
+"""Half of a pair: no text."""
 
 _OTHER_ENCODINGS = ((b"\xff\xfe", "UTF-16"), (b"\xfe\xff", "UTF-16"))
 
@@ -56,6 +59,25 @@ def universal_newlines(text: str) -> str:
     'a\nb\nc'
     """
     return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
+
+
+def checked(text: str, file: str = "") -> str:
+    """A text that did not come through `decode`, with universal newlines and without byte order mark.
+
+    Raises:
+        ScriptError: Half of a surrogate pair, which is no text, or more than `LIMIT` code points.
+    """
+    text = universal_newlines(text.removeprefix("\ufeff"))
+    if len(text) > LIMIT:
+        raise ScriptError(
+            f"{len(text)} characters", expected=f"at most {LIMIT}: render a long work in parts", file=file
+        )
+    if match := SURROGATE.search(text):
+        line = text.count("\n", 0, match.start()) + 1
+        column = match.start() - text.rfind("\n", 0, match.start())
+        problem = f"half of a surrogate pair (U+{ord(match.group()):04X})"
+        raise ScriptError(problem, expected="text", file=file, line=line, column=column)
+    return text
 
 
 def _at(data: bytes, place: int, problem: str, expected: str, file: str) -> ScriptError:

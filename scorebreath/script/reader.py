@@ -13,13 +13,16 @@ import re
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import takewhile
 
 from scorebreath.errors import ScriptError
 from scorebreath.script import emoticons
-from scorebreath.script.boundaries import END, candidate, certain, ends
-from scorebreath.script.decode import LIMIT, universal_newlines
+from scorebreath.script.boundaries import END, FORCED, candidate, certain, ends
+from scorebreath.script.decode import SURROGATE, universal_newlines
 from scorebreath.script.dialogue import turns as turns_of
 from scorebreath.script.kinds import kinds as kinds_of
+from scorebreath.script.marks import Mark
+from scorebreath.script.markup.marked import Markup, marked
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.sentence import Ending, make_sentence
 from scorebreath.script.verse import is_verse
@@ -33,6 +36,8 @@ STEP = 120
 LONGEST = 4000
 """Code points of a sentence. What has no end within them is given in parts."""
 
+DEFAULT_LANGUAGE = "en"
+
 _SPACE = re.compile("[ n]")
 _LETTER = re.compile(r"[adk]")
 _BREAK = re.compile(r"n *n|f")
@@ -45,7 +50,6 @@ _CUTS = tuple(
     for pattern in (r".*[;:MeN)][\"']*(?=[ n])", r".*,[\"']*(?=[ n])", r".*[^ n](?=[ n])", r".*(?=[^m])")
 )
 """Where a part without a sentence end is cut, best first: at the last such place."""
-_SURROGATE = re.compile("[\ud800-\udfff]")
 _TRIM = 1 << 16
 """Code points that are let go at a time."""
 
@@ -68,16 +72,28 @@ class Reader:
         language: BCP 47; only the primary language counts.
         poem: Whether line ends are edges.
         turns: Places of newlines that end a paragraph, ascending.
+        ends: Places of characters that end a sentence whatever they look like, ascending.
+        marks: What the markup asks for, ascending; like the places, there before the text that they stand in.
 
     Raises:
         ScriptError: `language` is no language tag.
     """
 
-    def __init__(self, *, language: str = "en", poem: bool = False, turns: Sequence[int] = ()) -> None:
+    def __init__(
+        self,
+        *,
+        language: str = "en",
+        poem: bool = False,
+        turns: Sequence[int] = (),
+        ends: Sequence[int] = (),
+        marks: Sequence[Mark] = (),
+    ) -> None:
         """Start with an empty text."""
         self._language = primary(language)
         self._poem = poem
-        self._turns = turns
+        self._told = (turns, "f"), (ends, FORCED)
+        self._marks = marks
+        self._marked = 0  # marks that are given
         self._text = self._kinds = self._carry = ""
         self._base = 0  # place of the buffer in the text
         self._at = 0  # what lies before is done with
@@ -113,7 +129,7 @@ class Reader:
 
     def _take(self, piece: str) -> None:
         """Append to the buffer, letting go of what is done with, but for one code point."""
-        if match := _SURROGATE.search(piece):
+        if match := SURROGATE.search(piece):
             place = self._base + len(self._text) + match.start()
             raise ScriptError(
                 f"half of a surrogate pair (U+{ord(match.group()):04X}) at character {place}", expected="text"
@@ -128,15 +144,17 @@ class Reader:
         self._kinds += self._apart(kinds_of(piece), place)
 
     def _apart(self, kinds: str, start: int) -> str:
-        """Kinds of the text from `start` on, with a paragraph's end where a turn begins."""
-        first, last = bisect_left(self._turns, start), bisect_left(self._turns, start + len(kinds))
-        if first == last:
-            return kinds
-        pieces, at = [], 0
-        for turn in self._turns[first:last]:
-            pieces += [kinds[at : turn - start], "f"]
-            at = turn - start + 1
-        return "".join((*pieces, kinds[at:]))
+        """Kinds of the text from `start` on, with a paragraph's end where a turn begins, and the ends markup makes."""
+        for places, kind in self._told:
+            first, last = bisect_left(places, start), bisect_left(places, start + len(kinds))
+            if first == last:
+                continue
+            pieces, at = [], 0
+            for place in places[first:last]:
+                pieces += [kinds[at : place - start], kind]
+                at = place - start + 1
+            kinds = "".join((*pieces, kinds[at:]))
+        return kinds
 
     def _sentences(self) -> Iterator[Sentence]:
         """All that can be read now."""
@@ -250,6 +268,10 @@ class Reader:
         gap = "".join(raw.gap)
         apart = _BREAK.search(self._apart(kinds_of(gap), raw.start + len(raw.text))) is not None
         edge: Ending | None = "paragraph" if apart or last else "sentence" if raw.complete else None
+        limit = None if last else raw.start + len(raw.text) + len(gap)
+        ahead = (self._marks[index] for index in range(self._marked, len(self._marks)))
+        marks = tuple(takewhile(lambda mark: limit is None or mark.at <= limit, ahead))
+        self._marked += len(marks)
         sentence = make_sentence(
             raw.text,
             gap,
@@ -259,6 +281,7 @@ class Reader:
             line=raw.line,
             stanza=self._stanza,
             edge=edge,
+            marks=marks,
         )
         self._line = raw.line + raw.text.count("\n") + gap.count("\n")
         self._stanza += apart
@@ -266,35 +289,36 @@ class Reader:
             yield sentence
 
 
-def read(text: str, *, language: str = "en", poem: bool | None = None, file: str = "") -> Script:
+def read(
+    text: str,
+    *,
+    language: str | None = None,
+    poem: bool | None = None,
+    file: str = "",
+    markup: Markup = "auto",
+) -> Script:
     """Read a whole text.
 
     Args:
         text: The text; `decode` makes it from bytes.
-        language: BCP 47; only the primary language counts.
+        language: BCP 47; only the primary language counts. None: what the text's markup says, or English.
         poem: Whether line ends are edges; None: if `is_verse` says so.
         file: Its name, for messages.
+        markup: Which markup it has; `auto`: SSML if it begins with `<speak`, else inline tags.
 
     Raises:
-        ScriptError: Nothing in it can be spoken, it is too long, or no text.
+        ScriptError: Nothing in it can be spoken, it is too long, no text, or its markup is wrong.
     """
-    text = universal_newlines(text.removeprefix("\ufeff"))
-    if len(text) > LIMIT:
-        raise ScriptError(
-            f"{len(text)} characters", expected=f"at most {LIMIT}: render a long work in parts", file=file
-        )
-    if match := _SURROGATE.search(text):
-        line = text.count("\n", 0, match.start()) + 1
-        column = match.start() - text.rfind("\n", 0, match.start())
-        problem = f"half of a surrogate pair (U+{ord(match.group()):04X})"
-        raise ScriptError(problem, expected="text", file=file, line=line, column=column)
+    clean = marked(text, markup=markup, language=language, file=file)
+    text = clean.text
+    language = primary((clean.language or DEFAULT_LANGUAGE) if language is None else language)
     poem = is_verse(text) if poem is None else poem
-    reader = Reader(language=language, poem=poem, turns=turns_of(text))
+    reader = Reader(language=language, poem=poem, turns=turns_of(text), ends=clean.ends, marks=clean.marks)
     sentences = (*reader.feed(text), *reader.finish())
-    if not sentences:
+    if not sentences and not clean.marks:
         found = "only punctuation and symbols" if text.strip() else "an empty text"
         raise ScriptError(f"nothing to speak: {found}", expected="at least one word or number", file=file)
-    return Script(text=text, language=primary(language), poem=poem, sentences=sentences)
+    return Script(text=text, language=language, poem=poem, sentences=sentences, marks=clean.marks)
 
 
 def primary(language: str) -> str:

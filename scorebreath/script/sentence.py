@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
 
+from scorebreath.script.marks import Mark
 from scorebreath.script.model import ScriptWord, Sentence, SentenceType
 from scorebreath.script.normalise.speak import speak
 from scorebreath.script.normalise.tables import tables
@@ -31,6 +34,7 @@ def make_sentence(
     line: int,
     stanza: int,
     edge: Ending | None,
+    marks: Sequence[Mark] = (),
 ) -> Sentence | None:
     """Read one sentence.
 
@@ -43,11 +47,12 @@ def make_sentence(
         line: Line it starts in, from 0.
         stanza: Paragraph it stands in, from 0.
         edge: What ends with it; None for a part of a sentence.
+        marks: What the markup asks for in it and up to the next sentence; before it only if it is the text's first.
 
     Returns:
         The sentence, or None if there is no word in it.
     """
-    written = cut(text, gap, start, poem=poem)
+    written = cut(text, gap, start, poem=poem, apart=[mark.at for mark in marks])
     if not written:
         return None
     kind = _type(text[written[-1].core.end - start :]) if edge else "statement"
@@ -57,14 +62,31 @@ def make_sentence(
         for word in written:
             word.line += line
     first, *others = speak(written, tables(language), text, start)
+    words = (_begun(first, language), *others)
+    before: tuple[Mark, ...] = ()
+    if marks:
+        before, words = _hung(words, marks)
     return Sentence(
         source=Span(start, start + len(text)),
         text=text,
         gap=gap,
         type=kind,
-        words=(_begun(first, language), *others),
+        words=words,
         complete=edge is not None,
         stanza=stanza,
+        before=before,
+    )
+
+
+def _hung(words: tuple[ScriptWord, ...], marks: Sequence[Mark]) -> tuple[tuple[Mark, ...], tuple[ScriptWord, ...]]:
+    """Marks before the first word, and the words, each with the marks between it and the next."""
+    starts = [word.source.start for word in words]
+    hung: dict[int, list[Mark]] = {}
+    for mark in marks:
+        hung.setdefault(bisect_left(starts, mark.at) - 1, []).append(mark)
+    before = tuple(hung.pop(-1, ()))
+    return before, tuple(
+        replace(word, after=tuple(hung[index])) if index in hung else word for index, word in enumerate(words)
     )
 
 

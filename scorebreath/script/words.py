@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from scorebreath.script import emoticons, telephone
@@ -82,7 +83,7 @@ class Written:
     line: int
 
 
-def cut(text: str, gap: str, start: int, *, poem: bool) -> list[Written]:
+def cut(text: str, gap: str, start: int, *, poem: bool, apart: Sequence[int] = ()) -> list[Written]:
     """The words of a sentence or a part of one.
 
     Args:
@@ -90,12 +91,13 @@ def cut(text: str, gap: str, start: int, *, poem: bool) -> list[Written]:
         gap: What follows up to the next sentence: decides the last word's edge if no sentence ends there.
         start: Place of `text` in the whole text.
         poem: Whether line ends are edges.
+        apart: Places in the whole text, ascending, over which no words are read together.
 
     Returns:
         Words with lines counted from 0 and the edges they have inside a sentence; may be empty.
     """
     kinds = kinds_of(text + gap)
-    shown = _cover(text, kinds, poem)
+    shown = _cover(text, kinds, poem, [place - start for place in apart])
     cores = [core for core in _cores(shown[: len(text)]) if core.cut(text) != "#"]
     cores = cores or list(_cores(kinds[: len(text)]))
     if not cores:
@@ -132,10 +134,14 @@ def cut(text: str, gap: str, start: int, *, poem: bool) -> list[Written]:
             )
         )
         lead = following
+    if apart:
+        starts = [word.core.start for word in words]
+        for place in apart:
+            words[max(0, bisect_left(starts, place) - 1)].spaced = False
     return words
 
 
-def _cover(text: str, kinds: str, poem: bool) -> str:
+def _cover(text: str, kinds: str, poem: bool, apart: Sequence[int]) -> str:
     """Kinds with emoticons made spaces, links letters, and telephone numbers figures."""
     shown = kinds
     if emoticons.possible(text):
@@ -150,7 +156,8 @@ def _cover(text: str, kinds: str, poem: bool) -> str:
     if "d" in shown:
         for span in telephone.spans(text):
             within = span.cut(shown)
-            if "a" not in within and not (poem and "n" in within):
+            parted = bisect_right(apart, span.start) < bisect_left(apart, span.end)
+            if "a" not in within and not parted and not (poem and "n" in within):
                 shown = shown[: span.start] + "d" * span.length + shown[span.end :]
     return shown
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from scorebreath.errors import ScriptError
+from scorebreath.script import decode
 from scorebreath.script import reader as reading
 from scorebreath.script.reader import Reader, primary, read
 from scorebreath.script.words import LONGEST
@@ -29,7 +30,7 @@ def test_half_a_surrogate_pair_is_no_text() -> None:
 
 
 def test_length_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(reading, "LIMIT", 10)
+    monkeypatch.setattr(decode, "LIMIT", 10)
     with pytest.raises(ScriptError, match="11 characters"):
         read("a" * 11)
 
