@@ -126,8 +126,8 @@ def loudest_db(noise: Noise) -> float:
 
 def _gain_db(event: VolumeEvent) -> float:
     """Of nose and mouth together; two silent sounds are silent (the logarithm of nothing is not a number)."""
-    if isinstance(event, Hold):  # the throat has no gain of its own
-        return 0.0
+    if isinstance(event, Hold):  # the throat has no gain of its own, and is heard where it shuts
+        return 0.0 if event.kind == "held" else 2 * FLOOR_DB
     if event.sound_mouth <= 0 and event.sound_nose <= 0:
         return 2 * FLOOR_DB
     return mix_level(event.sound_mouth, event.sound_nose)

@@ -182,6 +182,7 @@ def test_a_breath_s_noise_counts_nose_and_mouth_in_and_out() -> None:
 def test_the_throat_s_catch_is_heard_as_it_shuts() -> None:
     score = score_of([keep(onset=1.0, noise=CATCH)])
     assert value(score, "breath_level", 0.99, 1.03, 1.2) == pytest.approx([FLOOR_DB, -30.0, FLOOR_DB])
+    assert value(score_of([keep(onset=1.0, kind="rest", noise=CATCH)]), "breath_level", 1.03) == [FLOOR_DB]
 
 
 def test_every_gasp_and_every_puff_has_its_noise() -> None:

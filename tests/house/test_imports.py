@@ -53,7 +53,7 @@ LIBRARIES: dict[str, set[str]] = {
     "pyphen": {"scorebreath.planning", "scorebreath.speech"},
     "pysbd": {"scorebreath.script"},
     "rich": {"scorebreath_cli"},
-    "soundfile": {"scorebreath.report"},
+    "soundfile": {"scorebreath.media", "scorebreath.report"},
     "soxr": {"scorebreath.signal"},
     "supriya": {"scorebreath.engine", "scorebreath_synthdefs"},
     "typer": {"scorebreath_cli"},
