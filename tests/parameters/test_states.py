@@ -82,7 +82,7 @@ def test_every_row_is_complete_and_says_why(name: str) -> None:
     row = STATES[name]
     assert row.name == name
     assert len(row.description) > 10
-    assert "physiology" in row.source or "E;" in row.source
+    assert "physiology" in row.source or "e;" in row.source
     assert row.kind == ("body" if name in ("exertion", "fatigue") else "mood")
     assert row.recovery == (45.0 if name == "exertion" else 0.0)
     assert row.anchors[-1][0] == 1.0
