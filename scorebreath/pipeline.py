@@ -14,6 +14,7 @@ from scorebreath.compose.state import BodyState, Places, Spoken, SpokenPart
 from scorebreath.errors import InputError
 from scorebreath.media.recordings import Recordings
 from scorebreath.media.store import FolderStore, MediaStore
+from scorebreath.parameters.states import Blend
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup, SyllableCounter, plan
 from scorebreath.planning.planners import open_planner
@@ -209,7 +210,12 @@ def plan_script(
     seed: int = 0,
 ) -> Iterator[BreathGroup]:
     """Breath groups of a script, as the model's planner cuts them (the papers' planners count with pyphen)."""
-    planner = open_planner(model, parameters, script.language, count, poem=script.poem)
+    blend = Blend()
+    for mark in states:
+        blend, _ = blend.changed(0.0, mark.name, mark.intensity, mark.ramp, held=mark.held)
+    planner = open_planner(
+        model, parameters, script.language, count, poem=script.poem, blend=blend, seed=seed, body=BODY
+    )
     return plan(planner, _counted(script.sentences, count))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import pi, sqrt
+from math import exp, log, pi
 
 from scorebreath.compose.chances import Chances, lognormal
 from scorebreath.equations.breath import inspiration_length
@@ -18,6 +18,8 @@ FASTEST_FLOW = 8.0
 """L/s, the most a chest can do (physiology 10)."""
 NEUTRAL_VARIATION = 0.15
 """At which the parameters' own spreads hold; states make breathing more or less regular (physiology 4.2)."""
+OWN_SHARE = 0.85
+"""Of the spread of lengths, what is not already due to the spread of depths (`for_depth`)."""
 SILENCES: dict[PauseKind, tuple[float, float]] = {
     "edge": (0.02, 0.6),
     "sentence": (0.06, 1.2),
@@ -34,7 +36,7 @@ def speech_inspiration(
 ) -> float:
     """Length of the inspiration before speech, s: coupled to what is to be said, varied from breath to breath."""
     mean = (p.inspiration_base + p.inspiration_per_syllable * syllables) * SITE_FACTOR.get(site, 1.0)
-    variation = p.inspiration_spread / max(mean, 0.1) * m.variation / NEUTRAL_VARIATION
+    variation = OWN_SHARE * p.inspiration_spread / max(mean, 0.1) * m.variation / NEUTRAL_VARIATION
     factor = m.inspiration * asked
     if variation > 0:
         factor *= lognormal(chances.normal("inspiration.length"), variation)
@@ -44,17 +46,17 @@ def speech_inspiration(
 
 
 def for_depth(moved: float, usual: float) -> float:
-    r"""How much longer a breath takes that is deeper than usual: :math:`(V / V_0)^{0.5}`, in 0.75..1.35.
+    r"""How much longer a breath takes that is deeper than usual: :math:`(V / V_0)^{0.35}`, in 0.75..1.35.
 
     Breaths are drawn deeper partly by faster and partly by longer flow; their lengths and depths go together over a
     speaker's breaths with r = 0.3 to 0.6 (physiology 1.3).
 
-    >>> for_depth(0.16, 0.16), for_depth(0.25, 0.16), round(for_depth(0.09, 0.16), 6)
-    (1.0, 1.25, 0.75)
+    >>> [round(for_depth(volume, 0.16), 3) for volume in (0.16, 0.25, 0.09)]
+    [1.0, 1.169, 0.818]
     """
     if usual <= 0 or moved <= 0:
         return 1.0
-    return min(1.35, max(0.75, sqrt(moved / usual)))
+    return min(1.35, max(0.75, exp(0.35 * log(moved / usual))))
 
 
 def unhurried(length: float, volume: float, vital_capacity: float, steepness: float = pi / 2) -> float:

@@ -12,6 +12,7 @@ from scorebreath_cli import options as o
 from scorebreath_cli import printers
 from scorebreath_cli.failures import Status, reporting
 from scorebreath_cli.settings import DEFAULT_LANGUAGE, DEFAULT_MODEL, CompileOptions
+from scorebreath_cli.settings import seed as seed_of
 
 if TYPE_CHECKING:
     from scorebreath.planning.explain import GroupRow
@@ -70,7 +71,7 @@ def _of_score(source: Source, options: CompileOptions) -> Iterator[GroupRow]:
 
 
 def _of_script(source: Source, compiler: Compiler) -> Iterator[GroupRow]:
-    from scorebreath.pipeline import plan_script
+    from scorebreath.pipeline import begin_states, plan_script
     from scorebreath.planning.explain import explain as rows
     from scorebreath.script.decode import decode
     from scorebreath.script.reader import read
@@ -88,6 +89,8 @@ def _of_script(source: Source, compiler: Compiler) -> Iterator[GroupRow]:
         parameters=parameters,
         model=options.model or DEFAULT_MODEL,
         count=lambda words: compiler.voice().syllables(words),  # the papers' models never ask
+        states=begin_states(options.begin()),
+        seed=seed_of(options.seed),
     )
     return rows(groups, script.text)
 
