@@ -257,4 +257,4 @@ def _heard_by(
 
 
 def _lengths(segment: Segment) -> dict[str, float]:
-    return {sound.media: sound.duration for sound in segment.sounds if sound.media is not None}
+    return {sound.media: sound.media_duration for sound in segment.sounds if sound.media is not None}

@@ -5,21 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from scorebreath.chance import ENGINE_SEEDS
-from scorebreath.equations.breath import NOSE_BELOW_MOUTH_DB
+from scorebreath.engine.breaths import SYNTH, Breathing, Sounding, share, soundings, throat
+from scorebreath.equations.breath import FLOW_EXPONENT
 from scorebreath.errors import ScoreError, shortened
-from scorebreath.score.document import Body, Score
-from scorebreath.score.events import Event, Expiration, Inspiration, Noise, Utterance
+from scorebreath.score.document import Body, MediaInfo, Score
+from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Noise, Utterance
 from scorebreath.units import amplitude
-from scorebreath_synthdefs.catalogue import SPEECH, breath_name
-from scorebreath_synthdefs.tracts import Route, Speaker
+from scorebreath_synthdefs.catalogue import RECORDING, SPEECH, breath_name
 
 GENERATORS = 64
 """Random generators of an engine; breaths that overlap must not share one."""
 QUIETEST_DB, LOUDEST_DB = -300.0, 100.0
-_SPEAKER: Speaker = "male"
-_SPEAKER_CAPACITY = 5.1  # L, of the man whose tract the table gives (physiology 2.1)
-_HEIGHT_POWER = 2.73  # vital capacity grows with height to this power (GLI 2022, physiology 2.1)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,6 +31,8 @@ class Onset:
     controls: Mapping[str, float]
     media: str | None = None
     """SHA-256 of what it plays"""
+    media_duration: float = 0.0
+    """s that those media last"""
     event: str
     """id of the event it belongs to"""
 
@@ -47,11 +45,10 @@ class Onset:
 def onsets(score: Score) -> tuple[Onset, ...]:
     """Everything in the Score that sounds, in order of time.
 
-    An inspiration sounds through mouth and nose at once, each with its own gain (B10, B31, B32); at equal flow the
-    nose is 6 dB below the mouth (physiology 3.2). Gains of 0 and breaths of no length make no sound.
+    What breathing events sound like is told by `engine.breaths`; breaths of no length make no sound.
 
     Raises:
-        ScoreError: A level, a seed or a source that no instrument can play.
+        ScoreError: A level or a source that no instrument can play.
     """
     bodies = {body.id: body for body in score.bodies}
     found = sorted(
@@ -66,70 +63,60 @@ def onsets(score: Score) -> tuple[Onset, ...]:
     return tuple(found)
 
 
-def tract_scale(vital_capacity: float) -> float:
-    r"""How much shorter a body's vocal tract is than the table's, from its lungs: both follow its height.
-
-    :math:`(5.1 / VC)^{1/2.73}`, within 0.8..1.5; a woman of 3.7 L has 1.12 (17.0 cm / 14.5 cm is 1.17), a child of ten
-    years 1.37 (physiology 2.1, 3.4).
-
-    Args:
-        vital_capacity: L, above 0.
-
-    >>> tract_scale(5.1), round(tract_scale(3.68), 2), round(tract_scale(2.18), 2)
-    (1.0, 1.13, 1.37)
-    """
-    return float(min(1.5, max(0.8, (_SPEAKER_CAPACITY / max(vital_capacity, 0.01)) ** (1 / _HEIGHT_POWER))))
-
-
 def _of(event: Event, score: Score, body: Body) -> Iterator[Onset]:
     if isinstance(event, Utterance):
-        media = score.media[event.media]
+        length = _seconds(score.media[event.media])
         yield Onset(
             time=event.onset,
-            duration=media.frames / media.sample_rate,
+            duration=length,
             instrument=SPEECH,
             controls={"gain": _amplitude(event, "gain_db", event.gain_db)},
             media=event.media,
+            media_duration=length,
             event=event.id,
         )
-    elif isinstance(event, Inspiration) and event.noise is not None:
-        yield from _breath(event, event.noise, body, route="mouth", gain=event.sound_mouth)
-        below = -NOSE_BELOW_MOUTH_DB
-        yield from _breath(event, event.noise, body, route="nose", gain=event.sound_nose, below_db=below)
-    elif isinstance(event, Expiration) and event.noise is not None:
-        yield from _breath(event, event.noise, body, route="exhale", gain=1.0)
+    elif isinstance(event, Inspiration | Expiration | Hold) and event.noise is not None and event.noise.duration > 0:
+        for sounding in soundings(event, event.noise):
+            yield _breath(event, event.noise, sounding, score.media, body)
 
 
-def _breath(
-    event: Event, noise: Noise, body: Body, *, route: Route, gain: float, below_db: float = 0.0
-) -> Iterator[Onset]:
-    length = noise.attack + noise.hold + noise.release
-    if gain <= 0 or length <= 0:
-        return
-    if noise.source != "synth":
-        raise ScoreError(
-            f"event {event.id!r}: noise.source={shortened(noise.source)!r} must be 'synth' in this version"
-        )
-    level = _amplitude(event, "noise.level_db", body.voice.reference_db + noise.level_db + below_db)
-    yield Onset(
-        time=event.onset + noise.onset,
-        duration=length,
-        instrument=breath_name(route, _SPEAKER),
+def _breath(event: Breathing, noise: Noise, sounding: Sounding, media: Mapping[str, MediaInfo], body: Body) -> Onset:
+    level = _amplitude(event, "noise.level_db", body.voice.reference_db + noise.level_db)
+    made = Onset(
+        time=event.onset + sounding.onset,
+        duration=sounding.length * (noise.attack + noise.hold + noise.release),
+        instrument=RECORDING,
         controls={
-            "level": gain * level,
-            "attack": noise.attack,
-            "hold": noise.hold,
-            "release": noise.release,
-            "seed": float(noise.seed if route != "nose" else _other_seed(noise.seed)),
-            "scale": tract_scale(body.person.vital_capacity),
+            "level": level * sounding.gain,
+            "attack": sounding.length * noise.attack,
+            "hold": sounding.length * noise.hold,
+            "release": sounding.length * noise.release,
+            "exponent": FLOW_EXPONENT if noise.envelope == "flow" else 0.0,
         },
         event=event.id,
     )
+    if sounding.kind is None:
+        return _recorded(made, noise, sounding, media)
+    speaker, scale = throat(body.person)
+    own = {"seed": float(sounding.seed), "scale": scale, "brightness": noise.brightness}
+    return replace(made, instrument=breath_name(sounding.kind, speaker), controls={**made.controls, **own})
 
 
-def _other_seed(seed: int) -> int:
-    """A seed for the nose: its noise must not be the mouth's, or the two would add as amplitudes."""
-    return seed * 48271 % (ENGINE_SEEDS - 3) + 1  # 2^24 - 3 is a prime
+def _recorded(made: Onset, noise: Noise, sounding: Sounding, media: Mapping[str, MediaInfo]) -> Onset:
+    """A recording begins anywhere that leaves enough of it; where there is not enough, it begins again."""
+    found = media.get(noise.source)
+    place = f"event {made.event!r}: noise.source={shortened(noise.source)!r}"
+    if found is None:
+        raise ScoreError(f"{place} must be {SYNTH!r} or media that the score lists")
+    if found.kind != "breath" or not found.frames:
+        raise ScoreError(f"{place} must be the recording of a breath, not {found.frames} frames of {found.kind}")
+    length = _seconds(found)
+    start = max(0.0, length - made.duration) * share(sounding.seed)
+    return replace(made, controls={**made.controls, "start": start}, media=noise.source, media_duration=length)
+
+
+def _seconds(media: MediaInfo) -> float:
+    return media.frames / media.sample_rate
 
 
 def _amplitude(event: Event, name: str, db: float) -> float:

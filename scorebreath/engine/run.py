@@ -19,6 +19,7 @@ _GLANCE = 0.02  # s between looks at how far it is
 _LEAST_SECONDS, _SECONDS_A_SECOND = 60.0, 0.5
 _READ_AT_MOST = 1_000_000
 _FRAME = 4  # bytes of a float32 sample
+_MEMORY, _NODE = 8192, 64  # kB an engine reserves, and for a sound; it touches what it needs
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,7 +93,7 @@ def _flags(sample_rate: int, needs: Needs) -> list[str]:
         "-o", "1", "-i", "0", "-D", "0", "-z", str(BLOCK), "-V", "-1",
         "-b", str(max(1024, needs.buffers)),
         "-n", str(max(1024, needs.nodes + 64)),
-        "-m", str(8192 + 32 * needs.nodes),
+        "-m", str(_MEMORY + _NODE * max(1024, needs.nodes)),
     ]  # fmt: skip
 
 

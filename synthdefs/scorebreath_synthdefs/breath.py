@@ -1,18 +1,20 @@
-"""The sound of a breath: seeded noise through a vocal tract, under a trapezoid (B10, B46; physiology 3.3, 3.4)."""
+"""The sound of a breath: seeded noise through a vocal tract, under an envelope (B10, B46; physiology 3.3, 3.4)."""
 
 from __future__ import annotations
 
 from math import pi
 from typing import Any
 
-from supriya import Envelope, SynthDef
+from supriya import SynthDef
 
 from scorebreath_synthdefs.catalogue import Instrument
-from scorebreath_synthdefs.graph import FREE, builder, sc
+from scorebreath_synthdefs.envelope import Envelope
+from scorebreath_synthdefs.graph import builder, sc
+from scorebreath_synthdefs.loudness import CALIBRATION_RATE, law
 from scorebreath_synthdefs.tracts import Dip, Tract
 
-CALIBRATION_RATE = 48000.0
-"""Hz: white noise of one amplitude is louder per hertz at lower rates, so levels are referred to one."""
+_HIGHEST = 0.45
+"""Share of the sample rate above which no resonance goes: it would not be stable."""
 
 
 def breath(name: str, instrument: Instrument, tract: Tract) -> SynthDef:
@@ -23,36 +25,34 @@ def breath(name: str, instrument: Instrument, tract: Tract) -> SynthDef:
     with builder(instrument) as graph:
         sc.RandID.ir(rand_id=graph["rand_id"])
         sc.RandSeed.ir(trigger=1, seed=graph["seed"])
-        sound = _through(tract, sc.WhiteNoise.ar(), graph["scale"])
-        shape = sc.EnvGen.ar(
-            envelope=Envelope(
-                amplitudes=[0, 1, 1, 0],
-                durations=[graph["attack"], graph["hold"], graph["release"]],
-                curves=[0, 0, 0],
-            ),
-            done_action=FREE,
-        )
-        loudness = graph["level"] * instrument.calibration * _evenness(graph["scale"])
-        sc.OffsetOut.ar(bus=graph["out"], source=sound * shape * loudness)
+        envelope = Envelope(graph)
+        glide = envelope.glide(tract.glide)
+        sound = _through(tract, sc.WhiteNoise.ar(), graph, glide)
+        loudness = graph["level"] * instrument.calibration * _evenness(graph["scale"]) * envelope.evenness()
+        moved = _moved(tract, graph["scale"], graph["brightness"], glide)
+        sc.OffsetOut.ar(bus=graph["out"], source=sound * envelope.amplitude() * (loudness * moved))
     return graph.build(name=name)
 
 
-def _through(tract: Tract, noise: Any, scale: Any) -> Any:
+def _through(tract: Tract, noise: Any, graph: Any, glide: Any) -> Any:
     parts = noise * _amplitude(tract.floor_db)
+    size = graph["scale"] * graph["brightness"]
+    highest = sc.SampleRate.ir() * _HIGHEST
     for index, (frequency, bandwidth, gain_db) in enumerate(tract.resonances):
-        band = sc.BPF.ar(source=noise, frequency=scale * frequency, reciprocal_of_q=bandwidth / frequency)
+        moved = size * frequency * glide if index < tract.gliding else size * frequency
+        band = sc.BPF.ar(source=noise, frequency=moved.min(highest), reciprocal_of_q=bandwidth / frequency)
         parts = parts + band * ((-1) ** index * _amplitude(gain_db))  # neighbours meet without a notch
-    sound = sc.OnePole.ar(source=parts, coefficient=_decay(2 * tract.tilt))
+    sound = sc.OnePole.ar(source=parts, coefficient=_decay(graph["brightness"] * (2 * tract.tilt) * glide))
     for dip in tract.dips:
-        sound = _dip(dip, sound, scale)
+        sound = _dip(dip, sound, size)
     return sc.HPF.ar(source=sound, frequency=tract.highpass)
 
 
-def _dip(dip: Dip, sound: Any, scale: Any) -> Any:
+def _dip(dip: Dip, sound: Any, size: Any) -> Any:
     """Zeros and wider poles at one angle, normalised to gain 1 at 0 Hz."""
-    cosine = (sc.SampleDur.ir() * (2 * pi * dip.frequency) * scale).cos()
-    zero = _decay(scale * dip.zero_bandwidth)
-    pole = _decay(scale * dip.pole_bandwidth)
+    cosine = (sc.SampleDur.ir() * (2 * pi * dip.frequency) * size).cos()
+    zero = _decay(size * dip.zero_bandwidth)
+    pole = _decay(size * dip.pole_bandwidth)
     zeros = 1 - 2 * zero * cosine + zero * zero
     poles = 1 - 2 * pole * cosine + pole * pole
     unity = poles / zeros
@@ -74,6 +74,14 @@ def _decay(bandwidth: Any) -> Any:
 def _evenness(scale: Any) -> Any:
     """Keeps the level when the rate or the tract's length changes: noise power goes with bandwidth over rate."""
     return (sc.SampleDur.ir() * CALIBRATION_RATE * scale).sqrt().reciprocal()
+
+
+def _moved(tract: Tract, scale: Any, brightness: Any, glide: Any) -> Any:
+    """Takes back what else scale, brightness and glide do to the level; 1 where nothing is moved."""
+    by = law(tract)
+    x, y = scale.log(), brightness.log()
+    exponent = x * (x * by.scale2 + y * by.both + by.scale) + y * (y * by.bright2 + by.bright)
+    return (exponent * -1 - glide.log() * by.glide).exponential()
 
 
 def _amplitude(db: float) -> float:

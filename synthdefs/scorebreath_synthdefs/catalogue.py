@@ -8,13 +8,17 @@ from functools import cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from scorebreath_synthdefs.tracts import TRACTS, Route, Speaker
+from scorebreath_synthdefs.tracts import TRACTS, Kind, Speaker
 
 if TYPE_CHECKING:
     from supriya import SynthDef
 
 SPEECH = "scorebreath_speech"
 """Name of the speech player."""
+RECORDING = "scorebreath_recording"
+"""Name of the player of recorded breaths."""
+RECORDING_DB = -20.0
+"""RMS of a recorded breath, dB re full scale (physiology 9.2)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,48 +39,45 @@ class Instrument:
     about: str
     controls: Mapping[str, Control]
     calibration: float = 1.0
-    """gain at which `level` 1 is an RMS of 1 over the hold, measured at 48 kHz over 60 s of noise"""
+    """gain at which `level` 1 is an RMS of 1 over the hold, at 48 kHz: measured over 60 s of noise, or of its transfer
+    function"""
 
 
-def breath_name(route: Route, speaker: Speaker) -> str:
-    """Name of the instrument for a breath through `route`.
+def breath_name(kind: Kind, speaker: Speaker) -> str:
+    """Name of the instrument for a kind of breath.
 
     >>> breath_name("mouth", "male")
     'scorebreath_mouth_male'
     """
-    return f"scorebreath_{route}_{speaker}"
+    return f"scorebreath_{kind}_{speaker}"
 
 
 _OUT = Control(default=0, unit="bus", about="where the sound goes")
 
-_BREATH = MappingProxyType(
-    {
-        "out": _OUT,
-        "level": Control(default=0.01, unit="amplitude", about="RMS over the hold", fixed=False),
-        "attack": Control(default=0.15, unit="s", about="linear rise"),
-        "hold": Control(default=0.27, unit="s", about="full level"),
-        "release": Control(default=0.18, unit="s", about="linear fall, then the sound frees itself"),
-        "seed": Control(default=1, unit="", about="of the noise, 1..2^24-1: controls are float32"),
-        "rand_id": Control(default=0, unit="", about="random generator 0..63; breaths that overlap need their own"),
-        "scale": Control(default=1, unit="", about="of all resonances: length of the table's tract over this one's"),
-    }
-)
-
-_PLAYER = MappingProxyType(
-    {
-        "out": _OUT,
-        "buffer": Control(default=0, unit="buffer", about="mono, at the engine's rate, ending with a zero"),
-        "gain": Control(default=1, unit="amplitude", about="gain", fixed=False),
-    }
-)
-
-_ABOUT: Mapping[Route, str] = {
+_ABOUT: Mapping[Kind, str] = {
     "mouth": "inspiration through the open mouth",
     "nose": "inspiration through the nose",
     "exhale": "audible expiration",
+    "sigh": "long expiration through a wide mouth that closes: falling formants",
+    "gasp": "sudden inspiration through a wide mouth that opens: bright, rising formants",
+    "sniff": "short inspiration through narrowed nostrils, bright",
+    "laugh": "a puff of laughter: [h] before [a]",
+    "hold": "the throat's soft catch as it shuts, low and dull",
 }
 
-_CALIBRATION: Mapping[tuple[Route, Speaker], float] = {
+_RAMPS: Mapping[Kind, tuple[float, float, float]] = {
+    "mouth": (0.15, 0.27, 0.18),
+    "nose": (0.15, 0.27, 0.18),
+    "exhale": (0.15, 0.27, 0.18),
+    "sigh": (0.25, 0.25, 1.0),
+    "gasp": (0.24, 0.12, 0.04),  # the end: at most 50 ms (physiology 3.3)
+    "sniff": (0.05, 0.05, 0.08),
+    "laugh": (0.015, 0.025, 0.085),
+    "hold": (0.002, 0.003, 0.025),
+}
+"""Attack, hold and release of a typical one, s."""
+
+_CALIBRATION: Mapping[tuple[Kind, Speaker], float] = {
     ("mouth", "male"): 9.2696,
     ("mouth", "female"): 8.6555,
     ("mouth", "child"): 7.9599,
@@ -86,16 +87,87 @@ _CALIBRATION: Mapping[tuple[Route, Speaker], float] = {
     ("exhale", "male"): 11.5285,
     ("exhale", "female"): 11.1519,
     ("exhale", "child"): 10.722,
+    ("sigh", "male"): 12.2753,
+    ("sigh", "female"): 11.8039,
+    ("sigh", "child"): 11.2807,
+    ("gasp", "male"): 6.4778,
+    ("gasp", "female"): 6.2936,
+    ("gasp", "child"): 6.0826,
+    ("sniff", "male"): 4.6714,
+    ("sniff", "female"): 4.5722,
+    ("sniff", "child"): 4.4737,
+    ("laugh", "male"): 13.3625,
+    ("laugh", "female"): 12.8005,
+    ("laugh", "child"): 12.1664,
+    ("hold", "male"): 16.4724,
+    ("hold", "female"): 15.7989,
+    ("hold", "child"): 15.0553,
 }
+
+_LEVEL = Control(
+    default=0.01, unit="amplitude", about="RMS over the hold, or over the loud part of a flow", fixed=False
+)
+_EXPONENT = Control(default=0, unit="", about="0: straight ramps; else amplitude is flow to this power, say 1.66")
+
+
+def _ramps(attack: float, hold: float, release: float) -> dict[str, Control]:
+    return {
+        "attack": Control(default=attack, unit="s", about="rise"),
+        "hold": Control(default=hold, unit="s", about="full level"),
+        "release": Control(default=release, unit="s", about="fall, then the sound frees itself"),
+        "exponent": _EXPONENT,
+    }
+
+
+def _breath(kind: Kind) -> Mapping[str, Control]:
+    return MappingProxyType(
+        {
+            "out": _OUT,
+            "level": _LEVEL,
+            **_ramps(*_RAMPS[kind]),
+            "seed": Control(default=1, unit="", about="of the noise, 1..2^24-1: controls are float32"),
+            "rand_id": Control(default=0, unit="", about="random generator 0..63; breaths that overlap need their own"),
+            "scale": Control(
+                default=1, unit="", about="of all resonances: length of the table's tract over this one's"
+            ),
+            "brightness": Control(default=1, unit="", about="of resonances and tilt: faster air is brighter"),
+        }
+    )
+
+
+_PLAYER = MappingProxyType(
+    {
+        "out": _OUT,
+        "buffer": Control(default=0, unit="buffer", about="mono, at the engine's rate, ending with a zero"),
+        "gain": Control(default=1, unit="amplitude", about="gain", fixed=False),
+    }
+)
+
+_RECORDING = MappingProxyType(
+    {
+        "out": _OUT,
+        "buffer": Control(default=0, unit="buffer", about=f"mono, at the engine's rate, RMS {RECORDING_DB:g} dBFS"),
+        "start": Control(default=0, unit="s", about="where in the buffer it begins"),
+        "level": _LEVEL,
+        **_ramps(*_RAMPS["mouth"]),
+    }
+)
 
 CATALOGUE: Mapping[str, Instrument] = MappingProxyType(
     {
         SPEECH: Instrument(about="a buffer from its start to its end", controls=_PLAYER),
+        RECORDING: Instrument(
+            about="a recorded breath, played under an envelope",
+            controls=_RECORDING,
+            calibration=10 ** (-RECORDING_DB / 20),
+        ),
         **{
-            breath_name(route, speaker): Instrument(
-                about=f"{_ABOUT[route]}, {speaker} tract", controls=_BREATH, calibration=_CALIBRATION[route, speaker]
+            breath_name(kind, speaker): Instrument(
+                about=f"{_ABOUT[kind]}, {speaker} tract",
+                controls=_breath(kind),
+                calibration=_CALIBRATION[kind, speaker],
             )
-            for route, speaker in TRACTS
+            for kind, speaker in TRACTS
         },
     }
 )
@@ -110,10 +182,13 @@ def synthdef(name: str) -> SynthDef:
         KeyError: The catalogue has no such name.
     """
     from scorebreath_synthdefs.breath import breath
+    from scorebreath_synthdefs.recording import recording
     from scorebreath_synthdefs.speech import speech
 
     instrument = CATALOGUE[name]
     if name == SPEECH:
         return speech(name, instrument)
+    if name == RECORDING:
+        return recording(name, instrument)
     tract = next(tract for key, tract in TRACTS.items() if breath_name(*key) == name)
     return breath(name, instrument, tract)

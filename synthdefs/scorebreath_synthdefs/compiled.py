@@ -16,7 +16,9 @@ from pathlib import Path
 from scorebreath_synthdefs.catalogue import CATALOGUE, synthdef
 
 FOLDER, DIGEST = "scsyndef", "sources.sha256"
-SOURCES = ("breath.py", "catalogue.py", "graph.py", "speech.py", "tracts.py")
+SOURCES = (
+    "breath.py", "catalogue.py", "envelope.py", "graph.py", "loudness.py", "recording.py", "speech.py", "tracts.py",
+)  # fmt: skip
 """What instruments are made from."""
 _HEAD = struct.Struct(">4sih")  # SCgf, version, how many
 _VERSION = 2
