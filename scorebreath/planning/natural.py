@@ -78,8 +78,8 @@ class Natural(Chunker):
         self._soon_over = min(SOON * RATE * parameters.prosody_rate, self.most - SHORT + 1)
         self._words = function_words(language)
         self._habits = HABITS[parameters.style]
-        self._timeline = Timeline(parameters, blend or Blend(), time=time, style=self._habits.length)
-        self._variation = Variation(seed, body, self._habits.variation)
+        self._timeline = Timeline(parameters, blend or Blend(), time=time, habits=self._habits)
+        self._variation = Variation(seed, body, self._habits.variation, self._habits.unevenness)
         self._settled: deque[Cut] = deque()
         self._lattice = Lattice(self._timeline.start())
 
@@ -146,10 +146,10 @@ class Natural(Chunker):
         """One unit more."""
         unit = text[index]
         found = boundary(text, index, self._words, self._habits)
-        drawn = self._variation.after(unit)
+        harder, longer = self._variation.after(unit)
         if not _ends(found):
-            found = found._replace(breathing=found.breathing + drawn)
-        self._lattice.add(unit.syllables, found, self._timeline.say(unit))
+            found = found._replace(breathing=found.breathing + harder)
+        self._lattice.add(unit.syllables, found, self._timeline.say(unit, longer))
 
     def _settle(self, text: Sequence[Unit], cuts: Sequence[int], count: int | None = None) -> bool:
         """The first `count` cuts of a plan (all by default) become decisions; whether the last of them tires."""

@@ -32,8 +32,12 @@ class Habits:
     """the same after a function word, which belongs to what follows: "the | house" """
     variation: float
     """scale of the draws that make boundaries easier or harder, in the units of the costs"""
+    unevenness: float
+    """sigma of the lognormal draws of the preferred length from group to group"""
     length: float
     """x preferred length of a group"""
+    spread: float
+    """sigma of the lognormal cost of a group's length"""
 
 
 HABITS: Mapping[Style, Habits] = MappingProxyType(
@@ -43,34 +47,38 @@ HABITS: Mapping[Style, Habits] = MappingProxyType(
                 "paragraph": 1.0,
                 "sentence": 0.95,
                 "semicolon": 0.75,
-                "comma": 0.30,
-                "line": 0.50,
+                "comma": 0.50,
+                "line": 0.30,
                 "marker": 0.90,
-                "clause": 0.25,
-                "phrase": 0.05,
-                "word": 0.01,
+                "clause": 0.06,
+                "phrase": 0.01,
+                "word": 0.002,
             },
-            comma_clause=0.37,
-            clinging=0.0005,
-            variation=0.0,
+            comma_clause=0.60,
+            clinging=0.0002,
+            variation=0.4,
+            unevenness=0.2,
             length=1.0,
+            spread=0.65,
         ),
         "spontaneous": Habits(
             readiness={
                 "paragraph": 1.0,
-                "sentence": 0.90,
-                "semicolon": 0.60,
-                "comma": 0.30,
-                "line": 0.30,
+                "sentence": 0.85,
+                "semicolon": 0.45,
+                "comma": 0.20,
+                "line": 0.10,
                 "marker": 0.90,
-                "clause": 0.25,
-                "phrase": 0.10,
-                "word": 0.04,
+                "clause": 0.12,
+                "phrase": 0.05,
+                "word": 0.022,
             },
-            comma_clause=0.35,
-            clinging=0.01,
+            comma_clause=0.25,
+            clinging=0.005,
             variation=1.0,
-            length=1.0,
+            unevenness=0.55,
+            length=1.1,
+            spread=0.5,
         ),
     }
 )

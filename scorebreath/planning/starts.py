@@ -8,7 +8,7 @@ from math import ceil, exp, log
 
 from scorebreath.parameters.table import Parameters
 
-SPREAD = 0.45
+SPREAD = 0.65
 """Sigma of the lognormal cost of a group's length. Measured groups spread by 0.385 (physiology 1.1), but those are
 outcomes, and the cheapest plan keeps clear of the tails: a milder cost makes its groups spread as widely."""
 BUDGET = 0.35
@@ -67,27 +67,27 @@ class Start:
         return self.tired if recovering else self.fresh
 
 
-def start(preferred: float, most: int, volume: float, *, budget: float = BUDGET) -> Start:
+def start(preferred: float, most: int, volume: float, *, spread: float = SPREAD) -> Start:
     """A start.
 
     Args:
         preferred: Syllables.
         most: Syllables one breath holds.
         volume: Of one syllable, fraction of the person's vital capacity.
-        budget: Share of the preferred length from which on boundaries are passed at a cost.
+        spread: Sigma of the lognormal cost of a group's length.
     """
-    fresh = length_costs(preferred, most, volume)
+    fresh = length_costs(preferred, most, volume, spread)
     tired = (cost + RECOVERY * min(1.0, n * volume / EASY) for n, cost in enumerate(fresh))
     return Start(
         preferred=preferred,
         fresh=tuple(fresh),
         tired=tuple(tired),
-        budget=ceil(budget * preferred),
+        budget=ceil(BUDGET * preferred),
         much=int(MUCH / volume),
     )
 
 
-def length_costs(preferred: float, most: int, volume: float) -> list[float]:
+def length_costs(preferred: float, most: int, volume: float, spread: float = SPREAD) -> list[float]:
     r"""Cost of groups of 0 to `most` syllables, each taking `volume` of the lungs.
 
     :math:`\ln^2(n / m) / 2 \sigma^2`, with the median :math:`m = preferred \cdot e^{-\sigma^2 / 2}` that makes
@@ -97,9 +97,9 @@ def length_costs(preferred: float, most: int, volume: float) -> list[float]:
     >>> costs.index(min(costs)), round(costs[8], 2), round(costs[30], 2), round(costs[41], 2)
     (16, 1.24, 0.93, 4.07)
     """
-    median = preferred * exp(-(SPREAD**2) / 2.0)
+    median = preferred * exp(-(spread**2) / 2.0)
     return [
-        (log(max(1, n) / median) / SPREAD) ** 2 / 2.0 + (max(0.0, n * volume - EASY) / DEEPER) ** 2 / 2.0
+        (log(max(1, n) / median) / spread) ** 2 / 2.0 + (max(0.0, n * volume - EASY) / DEEPER) ** 2 / 2.0
         for n in range(most + 1)
     ]
 

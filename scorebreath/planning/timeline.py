@@ -9,12 +9,15 @@ from scorebreath.parameters.modifiers import Modifiers, modifiers
 from scorebreath.parameters.states import Blend
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning import starts
+from scorebreath.planning.sites import Habits
 from scorebreath.planning.starts import RATE, Start
 from scorebreath.planning.units import Unit
 from scorebreath.script.marks import DIVIDING, Act, BreathingMark, Mark, ProsodyMark, StateMark
 
 STEPS = 20
 """Steps a factor is rounded to, in an e-fold: starts within 5 % are one, so that they can be compared."""
+COARSE = 4
+"""Steps that draws are rounded to: they differ at every place, and only equal starts can be compared."""
 LEVELS = 50
 """Steps an intensity is rounded to."""
 REMEMBERED = 1000
@@ -32,15 +35,15 @@ class Timeline:
         parameters: What was set.
         blend: The states at the beginning of the text.
         time: When the text begins, on the blend's clock, s.
-        style: x preferred length.
+        habits: Of the way of speaking.
     """
 
-    def __init__(self, parameters: Parameters, blend: Blend, *, time: float = 0.0, style: float = 1.0) -> None:
+    def __init__(self, parameters: Parameters, blend: Blend, *, time: float = 0.0, habits: Habits) -> None:
         """Stand before the text."""
         self.time = time
         self._p = parameters
         self._blend = blend
-        self._style = style
+        self._habits = habits
         self._rate = self._frequency = 1.0
         self._modifiers: dict[tuple[tuple[str, float], ...], Modifiers] = {}
         self._starts: dict[tuple[int, ...], Start] = {}
@@ -59,8 +62,16 @@ class Timeline:
                 usual = ACT if mark.name in DIVIDING else HELD if mark.name == "hold" else p.breathless_pause
                 self.time += usual if mark.seconds is None else mark.seconds
 
-    def say(self, unit: Unit) -> Start:
-        """A unit is said, and what stands behind it; the start of a group that begins there."""
+    def say(self, unit: Unit, longer: float = 1.0) -> Start:
+        """A unit is said, and what stands behind it.
+
+        Args:
+            unit: The next.
+            longer: x preferred length of a group that begins behind it.
+
+        Returns:
+            The start of such a group.
+        """
         p = self._p
         preferred = self.start().preferred
         breath = p.inspiration_base + p.silence_before_breath + p.silence_after_breath
@@ -72,22 +83,29 @@ class Timeline:
         elif unit.closes:
             self.time += p.silence_after_sentence
         self.heed(unit.after)
-        return self.start()
+        return self.start(longer)
 
-    def start(self) -> Start:
-        """The body here and now."""
+    def start(self, longer: float = 1.0) -> Start:
+        """The body here and now; `longer`: x preferred length."""
         now = self._now()
         shift, rate = round(now.start * 100.0), _step(self._rate)
-        key = (_step(now.syllables / self._frequency), _step(now.volume), shift, rate, _step(self._frequency))
+        key = (
+            _step(now.syllables / self._frequency),
+            _step(now.volume),
+            shift,
+            rate,
+            _step(self._frequency),
+            _coarse(longer),
+        )
         if key not in self._starts:
             if len(self._starts) >= REMEMBERED:
                 self._starts.clear()
-            frequency = _factor(key[4])
-            factor = self._style * _factor(key[0]) * frequency
+            length = self._habits.length * _factor(factor + frequency + COARSE * key[-1])
             self._starts[key] = starts.start(
-                starts.preferred_syllables(self._p, factor, _factor(rate), frequency),
+                starts.preferred_syllables(self._p, length, _factor(rate), _factor(frequency)),
                 starts.most_syllables(self._p, _factor(key[1]), shift / 100.0, _factor(rate)),
                 starts.syllable_volume(self._p) * _factor(key[1]),
+                spread=self._habits.spread,
             )
         return self._starts[key]
 
@@ -99,6 +117,10 @@ class Timeline:
                 self._modifiers.clear()
             self._modifiers[states] = modifiers(self._p, dict(states))
         return self._modifiers[states]
+
+
+def _coarse(factor: float) -> int:
+    return round(log(factor) * STEPS / COARSE)
 
 
 def _step(factor: float) -> int:

@@ -1,9 +1,9 @@
-"""Nobody breathes at the same places twice: keyed chance makes each boundary a little easier or harder."""
+"""Nobody breathes at the same places twice: chance moves the weight of boundaries and the length of groups."""
 
 from __future__ import annotations
 
 from collections import OrderedDict, deque
-from math import log
+from math import exp, log
 
 from scorebreath import chance
 from scorebreath.planning.units import Unit
@@ -14,6 +14,8 @@ REMEMBERED = 100_000
 """Places whose occurrences are remembered; the oldest are forgotten, so that memory stays bounded."""
 EULER = 0.5772156649015329
 """Mean of the standard Gumbel distribution."""
+TINY = 1e-12
+"""Uniform draws keep so far from 0 and 1, where the Gumbel distribution is endless."""
 
 
 class Variation:
@@ -26,28 +28,37 @@ class Variation:
     Args:
         seed: The Score's.
         body: Whose chance it is.
-        scale: Of the draws, in the units of the costs; 0: none.
+        scale: Of the draws for boundaries, in the units of the costs; 0: none.
+        spread: Sigma of the lognormal draws for lengths; 0: none.
     """
 
-    def __init__(self, seed: int, body: str, scale: float) -> None:
+    def __init__(self, seed: int, body: str, scale: float, spread: float) -> None:
         """Stand before the text."""
         self._seed = seed
         self._body = body
         self._scale = scale
+        self._spread = spread
         self._words: deque[str] = deque(maxlen=CONTEXT)
         self._met: OrderedDict[str, int] = OrderedDict()
 
-    def after(self, unit: Unit) -> float:
-        """What a breath behind the next unit costs more; its mean is 0."""
+    def after(self, unit: Unit) -> tuple[float, float]:
+        """The draws for the place behind the next unit.
+
+        Returns:
+            What a breath costs more there, 0 in the mean; and x preferred length of a group that begins there, 1 in
+            the median.
+        """
         self._words.extend(word.text for word in unit.words)
         words = " ".join(self._words)
         if unit.closes or unit.edge == "paragraph":
             self._words.clear()
-        if not self._scale:
-            return 0.0
+        if not self._scale and not self._spread:
+            return 0.0, 1.0
         occurrence = self._met.pop(words, -1) + 1
         self._met[words] = occurrence
         if len(self._met) > REMEMBERED:
             self._met.popitem(last=False)
-        drawn = chance.stream(self._seed, self._body, "cut", f"{words}#{occurrence}").random()
-        return self._scale * (EULER + log(-log(min(max(drawn, 1e-12), 1.0 - 1e-12))))
+        drawn = chance.stream(self._seed, self._body, "cut", f"{words}#{occurrence}")
+        uniform, normal = float(drawn.random()), float(drawn.normal())
+        gumbel = -log(-log(min(max(uniform, TINY), 1.0 - TINY)))
+        return self._scale * (EULER - gumbel), exp(self._spread * max(-2.0, min(2.0, normal)))
