@@ -15,6 +15,7 @@ from scorebreath_cli.commands.compile import compile_
 from scorebreath_cli.commands.curves import curves
 from scorebreath_cli.commands.doctor import doctor
 from scorebreath_cli.commands.explain import explain
+from scorebreath_cli.commands.norms import norms
 from scorebreath_cli.commands.params import params
 from scorebreath_cli.commands.presets import presets
 from scorebreath_cli.commands.render import render
@@ -47,6 +48,12 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
         "scorebreath explain speech.txt",
         "scorebreath explain speech.txt --model bernardet-2017 --set length_utterance=12",
         "scorebreath explain score.json --json",
+    )),
+    ("norms", norms, LOOK, (
+        "scorebreath norms out",
+        "scorebreath norms score.json --html norms.html",
+        "scorebreath norms score.json --wav recording.wav --json",
+        "scorebreath compile speech.txt --set style=spontaneous | scorebreath norms - --no-sound",
     )),
     ("params", params, LOOK, (
         "scorebreath params",

@@ -53,8 +53,8 @@ def norms(
 ) -> None:  # fmt: skip
     """Compare a score's breathing with published human ranges: groups, timing, places, lungs, the sound of the breaths.
 
-    Each row shows what the score has, what is published and by whom, and a verdict. Style, age, posture and model of the
-    score choose the figures that apply; figures of ours are called scorebreath.
+    Each row shows what the score has, what is published and by whom, and a verdict. Style, age, posture and model of
+    the score choose the figures that apply; figures of ours are called scorebreath.
     """
     with reporting(lambda: printers.make(json_lines, score), debug=debug) as printer:
         from scorebreath.errors import InputError
@@ -75,7 +75,9 @@ def norms(
                 refuse_own_input(wav, [page])
             refuse_existing(page.parent, (page.name,), force=force)
         loaded, media = load_score(read_source(given))
-        heard = _heard(loaded, media, given, wav, body, engine, printer) if sound else None
+        heard = None
+        if sound:
+            heard = _heard(loaded, media, given=given, wav=wav, body=body, engine=engine, printer=printer)
         from scorebreath.report.norms import norms as compare
 
         found = compare(loaded, heard, body=body)
@@ -99,7 +101,7 @@ def _score_in(given: str) -> str:
 
 
 def _heard(
-    score: Score, media: MediaStore, given: str, wav: str | None, body: str | None, engine: str, printer: Printer
+    score: Score, media: MediaStore, *, given: str, wav: str | None, body: str | None, engine: str, printer: Printer
 ) -> Heard | None:
     """What is heard of the breaths; None, and a note, where nothing can be."""
     from scorebreath.curves.curve_set import curves

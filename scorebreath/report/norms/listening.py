@@ -82,8 +82,9 @@ def listen(
             if len(samples := opened.read(*window)) >= SHORTEST * opened.rate
         ]
         power = np.array([float(np.mean(np.square(samples))) for samples in breaths])
+        db = 10.0 * np.log10(np.maximum(power, 10.0 ** (2 * FLOOR_DB / 10)))
         return Heard(
-            level=10.0 * np.log10(np.maximum(power, 10.0 ** (2 * FLOOR_DB / 10))) - reference,
+            level=np.zeros(0) if reference is None else db - reference,
             spectra=spectrum([s for s, p in zip(breaths, power, strict=True) if p > 0], opened.rate),
             sample_rate=opened.rate,
             seconds=opened.seconds,
@@ -140,14 +141,12 @@ def _opened(sound: Path | Samples, rate: float | None) -> Iterator[Sound]:
     yield ArraySound(np.asarray(sound), rate)
 
 
-def _speech_in(sound: Sound, score: Score, body: str) -> float:
+def _speech_in(sound: Sound, score: Score, body: str) -> float | None:
     """Active level of the speech in a sound, dB re full scale; where there is none, as the Score tells it."""
     said = _spread(list(score.of(Utterance, body)), MOST)
     steps = [level_db(sound.read(each.onset, each.end), sound.rate) for each in said]
     level = _active([step[step > FLOOR_DB] for step in steps])
-    if level is None:
-        level = speech_level(score, body)
-    return 0.0 if level is None else level
+    return speech_level(score, body) if level is None else level
 
 
 def _active(steps: Sequence[Array]) -> float | None:

@@ -112,8 +112,8 @@ ROWS: tuple[Row, ...] = (
         ),
     ),
     Row(
-        name="millilitres_per_syllable", title="Volume of a syllable, in litres", part=LUNGS, unit="mL", digits=1,
-        measure=millilitres, measured="the same times vital capacity",
+        name="millilitres_per_syllable", title="Volume of a syllable, absolute", part=LUNGS, unit="mL", digits=1,
+        measure=millilitres, measured="volume of a group over its syllables, times vital capacity",
         figures=(Figure(of="mean", source="hoit", mark="M", low=30.0, high=50.0, when=ADULT, note="men"),),
     ),
     Row(
@@ -124,13 +124,13 @@ ROWS: tuple[Row, ...] = (
     Row(
         name="lowest_volume", title="Lowest lung volume", part=LUNGS, unit="% VC", measure=lowest, kind="number",
         digits=1,
-        measured="of all events of the body",
+        measured="lowest of all volumes that the body's breaths and holds begin or end at",
         figures=(Figure(of="value", source="scorebreath", mark="E", low=15.0, note="acceptance window"),),
     ),
     Row(
         name="highest_volume", title="Highest lung volume", part=LUNGS, unit="% VC", measure=highest, kind="number",
         digits=1,
-        measured="of all events of the body",
+        measured="highest of all volumes that the body's breaths and holds begin or end at",
         figures=(Figure(of="value", source="scorebreath", mark="E", high=95.0, note="acceptance window"),),
     ),
     Row(
@@ -147,7 +147,7 @@ ROWS: tuple[Row, ...] = (
         figures=(Figure(of="value", source="scorebreath", mark="E", high=8.0, note="acceptance window"),),
     ),
     Row(
-        name="change_over_flow", title="Change of volume beside the flow", part=LAWS, unit="", kind="number", digits=3,
+        name="change_over_flow", title="Change of volume over the flow", part=LAWS, unit="", kind="number", digits=3,
         measure=lambda m: _law(m, "over_flow"),
         measured="largest change of lung_volume in a frame of 20 ms, over what the highest airflow within or 10 ms "
                  "around it "

@@ -37,7 +37,7 @@ SOURCES: Mapping[str, Source] = MappingProxyType(
             "Autesserre, D. (1989). On breathing and pauses in dialogue. Eurospeech '89, 2433.",
         ),
         "bernardet": Source(
-            "Bernardet 2019",
+            "Winkworth 1995 in Bernardet 2019",
             "Bernardet, U., Kang, S., Feng, A., DiPaola, S., Shapiro, A. (2019). Speech Breathing in Virtual Humans: "
             "An "
             "Interactive Model and Empirical Study. It quotes Winkworth et al. (1995) for the length of breath groups.",
@@ -89,6 +89,11 @@ SOURCES: Mapping[str, Source] = MappingProxyType(
             "McFarland, D. H. (2001). Respiratory markers of conversational interaction. Journal of Speech, Language, "
             "and "
             "Hearing Research 44:128-143. With Rochet-Capellan & Fuchs (2013) and Huber & Darling (2011).",
+        ),
+        "papers": Source(
+            "Bernardet 2017, 2019",
+            "Bernardet, U., Kang, S., Feng, A., DiPaola, S., Shapiro, A. (2017). A Dynamic Speech Breathing System for "
+            "Virtual Characters. Intelligent Virtual Agents; and (2019), Speech Breathing in Virtual Humans.",
         ),
         "pajupuu": Source(
             "Pajupuu & Kerge 2006",

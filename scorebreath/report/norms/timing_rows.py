@@ -17,7 +17,7 @@ EXTREMES = Figure(
 
 ROWS: tuple[Row, ...] = (
     Row(
-        name="group_speech", title="Breath group, without the inspiration", part=GROUPS, unit="s",
+        name="group_speech", title="Breath group, speech alone", part=GROUPS, unit="s",
         measure=timing.group_speech,
         measured="from the first phone to the last one said on one inspiration, pauses between them included",
         figures=(
@@ -40,7 +40,7 @@ ROWS: tuple[Row, ...] = (
         ),
     ),
     Row(
-        name="group_with_inspiration", title="Breath group, with the inspiration", part=GROUPS, unit="s",
+        name="group_with_inspiration", title="Breath group, with inspiration", part=GROUPS, unit="s",
         measure=timing.group_with_inspiration,
         measured="from the onset of the inspiration to the last phone (B52: one breath in and out)",
         figures=(
@@ -74,7 +74,7 @@ ROWS: tuple[Row, ...] = (
         ),
     ),
     Row(
-        name="cycle_rate", title="Breaths a minute while speaking", part=GROUPS, unit="1/min",
+        name="cycle_rate", title="Breaths a minute, speaking", part=GROUPS, unit="/min",
         measure=timing.speech_rate, digits=1,
         measured="60 s over the time from the onset of a speech inspiration to the next inspiration",
         figures=(
@@ -82,8 +82,8 @@ ROWS: tuple[Row, ...] = (
         ),
     ),
     Row(
-        name="inspiration", title="Length of an inspiration for speech", part=BREATHS, unit="s", measure=timing.ti,
-        measured="of the movement, which is longer than its sound",
+        name="inspiration", title="Inspiration", part=BREATHS, unit="s", measure=timing.ti,
+        measured="length of the movement of a speech inspiration, which is longer than its sound",
         figures=(
             Figure(of="mean", source="scorebreath", mark="E", low=0.50, high=0.72, note="acceptance window"),
             Figure(of="each", source="scorebreath", mark="E", low=0.25, high=1.10, note="acceptance window"),
@@ -92,14 +92,14 @@ ROWS: tuple[Row, ...] = (
         ),
     ),
     Row(
-        name="inspiration_syllables", title="Inspiration and syllables to come: r", part=BREATHS, unit="",
+        name="inspiration_syllables", title="r(inspiration, syllables)", part=BREATHS, unit="",
         measure=timing.ti_and_syllables, kind="relation", labels=("inspiration, s", "syllables"), fewest=PAIRS,
         measured="Pearson's correlation of a speech inspiration's length with the syllables said on it; 0 where one of "
                  "the two never changes",
         figures=(
             Figure(of="value", source="scorebreath", mark="E", low=0.3, high=0.8, when=OTHERS,
                    note="acceptance window"),
-            Figure(of="value", source="bernardet", mark="V", low=-0.1, high=0.1, when=PAPERS,
+            Figure(of="value", source="papers", mark="V", low=-0.1, high=0.1, when=PAPERS,
                    note="S1 and S2 say that an inspiration's length mostly does not depend on the utterance"),
             Figure(of="value", source="whalen", mark="V", low=0.29, high=0.65, judges=False,
                    note="three speakers: .65, .50, .29; of breath intake with utterance length"),
@@ -108,7 +108,7 @@ ROWS: tuple[Row, ...] = (
         ),
     ),
     Row(
-        name="inspiratory_fraction", title="Share of the speech cycle that is breathing in", part=BREATHS, unit="",
+        name="inspiratory_fraction", title="Inspiration's share of the cycle", part=BREATHS, unit="",
         measure=timing.speech_fraction, digits=3,
         measured="length of a speech inspiration over the time from its onset to the next inspiration",
         figures=(
@@ -130,31 +130,31 @@ ROWS: tuple[Row, ...] = (
         ),
     ),
     Row(
-        name="silence_in_sentence", title="Silence before a breath, inside a sentence", part=PAUSES, unit="s", digits=3,
+        name="silence_in_sentence", title="Before a breath, in a sentence", part=PAUSES, unit="s", digits=3,
         measure=lambda m: timing.before_breath(m, "semicolon", "comma", "line", "marker", "clause", "phrase", "word"),
-        measured="from the last phone to the breath's sound",
+        measured="silence from the last phone to the breath's sound (to its movement where it makes none)",
         figures=(
             Figure(of="mean", source="scorebreath", mark="E", low=0.02, high=0.20, note="default 0.08; that there are "
                    "silent rims: Ruinskiy & Lavner 2007, Fukuda 2018"),
         ),
     ),
     Row(
-        name="silence_after_sentence", title="Silence before a breath, after a sentence", part=PAUSES, unit="s",
+        name="silence_after_sentence", title="Before a breath, sentence end", part=PAUSES, unit="s",
         digits=3,
         measure=lambda m: timing.before_breath(m, "sentence"),
-        measured="from the last phone to the breath's sound",
+        measured="silence from the last phone to the breath's sound (to its movement where it makes none)",
         figures=(Figure(of="mean", source="scorebreath", mark="E", low=0.06, high=0.40, note="default 0.18"),),
     ),
     Row(
-        name="silence_after_paragraph", title="Silence before a breath, after a paragraph", part=PAUSES, unit="s",
+        name="silence_after_paragraph", title="Before a breath, paragraph end", part=PAUSES, unit="s",
         digits=3,
         measure=lambda m: timing.before_breath(m, "paragraph"),
-        measured="from the last phone to the breath's sound",
+        measured="silence from the last phone to the breath's sound (to its movement where it makes none)",
     ),
     Row(
-        name="silence_after_breath", title="Silence after a breath", part=PAUSES, unit="s",
+        name="silence_after_breath", title="Between a breath and speech", part=PAUSES, unit="s",
         measure=timing.after_breath, digits=3,
-        measured="from the end of the breath's sound to the first phone",
+        measured="silence from the end of the breath's sound (of its movement where it makes none) to the first phone",
         figures=(
             Figure(of="mean", source="scorebreath", mark="E", low=0.01, high=0.20, when=When(age=ADULT),
                    note="default 0.06; "
@@ -168,7 +168,7 @@ ROWS: tuple[Row, ...] = (
         figures=(Figure(of="mean", source="trouvain", mark="M", low=0.1, high=0.5),),
     ),
     Row(
-        name="rest_rate", title="Breaths a minute at rest", part=REST, unit="1/min", measure=timing.rest_rate, digits=1,
+        name="rest_rate", title="Breaths a minute, at rest", part=REST, unit="/min", measure=timing.rest_rate, digits=1,
         measured="60 s over the time from the onset of a tidal inspiration to the next tidal one",
         figures=(
             Figure(of="mean", source="scorebreath", mark="E", low=10.0, high=20.0, when=When(age=ADULT)),
@@ -176,15 +176,15 @@ ROWS: tuple[Row, ...] = (
         ),
     ),
     Row(
-        name="rest_inspiration", title="Length of an inspiration at rest", part=REST, unit="s", measure=timing.rest_ti,
-        measured="of tidal inspirations that a tidal one follows",
+        name="rest_inspiration", title="Inspiration, at rest", part=REST, unit="s", measure=timing.rest_ti,
+        measured="length of tidal inspirations that a tidal one follows",
         figures=(
             Figure(of="mean", source="scorebreath", mark="E", low=1.2, high=2.2, when=When(age=ADULT)),
             Figure(of="mean", source="tobin", mark="M", mean=1.62, sd=0.31, when=When(age=ADULT), judges=False),
         ),
     ),
     Row(
-        name="rest_fraction", title="Share of the resting cycle that is breathing in", part=REST, unit="", digits=3,
+        name="rest_fraction", title="Inspiration's share, at rest", part=REST, unit="", digits=3,
         measure=timing.rest_fraction,
         measured="length of a tidal inspiration over the time from its onset to the next tidal one",
         figures=(
@@ -194,8 +194,8 @@ ROWS: tuple[Row, ...] = (
         ),
     ),
     Row(
-        name="rest_volume", title="Depth of a breath at rest", part=REST, unit="L", measure=timing.rest_volume,
-        measured="of tidal inspirations that a tidal one follows",
+        name="rest_volume", title="Depth of a breath, at rest", part=REST, unit="L", measure=timing.rest_volume,
+        measured="volume of tidal inspirations that a tidal one follows",
         figures=(
             Figure(of="mean", source="scorebreath", mark="E", low=0.30, high=0.80, when=When(age=ADULT),
                    note="7 mL a kg"),
