@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import exp, log
+from typing import NamedTuple
 
 from scorebreath.parameters.modifiers import Modifiers, modifiers
 from scorebreath.parameters.states import Blend
@@ -28,6 +29,16 @@ HELD = 0.5
 """s of a held breath, where the markup does not say"""
 
 
+class _Steps(NamedTuple):
+    """What a start depends on, rounded."""
+
+    length: int
+    volume: int
+    shift: int
+    rate: int
+    frequency: int
+
+
 class Timeline:
     """Goes along with the text, unit by unit.
 
@@ -46,7 +57,7 @@ class Timeline:
         self._habits = habits
         self._rate = self._frequency = 1.0
         self._modifiers: dict[tuple[tuple[str, float], ...], Modifiers] = {}
-        self._starts: dict[tuple[int, ...], Start] = {}
+        self._starts: dict[_Steps, Start] = {}
 
     def heed(self, marks: Sequence[Mark]) -> None:
         """What the markup asks for here is done, and takes its time."""
@@ -88,26 +99,28 @@ class Timeline:
     def start(self, longer: float = 1.0) -> Start:
         """The body here and now; `longer`: x preferred length."""
         now = self._now()
-        shift, rate = round(now.start * 100.0), _step(self._rate)
-        key = (
-            _step(now.syllables / self._frequency),
-            _step(now.volume),
-            shift,
-            rate,
-            _step(self._frequency),
-            _coarse(longer),
+        here = _Steps(
+            length=_step(now.syllables) + COARSE * round(log(longer) * STEPS / COARSE),
+            volume=_step(now.volume),
+            shift=round(now.start * 100.0),
+            rate=_step(self._rate),
+            frequency=_step(self._frequency),
         )
-        if key not in self._starts:
+        if here not in self._starts:
             if len(self._starts) >= REMEMBERED:
                 self._starts.clear()
-            length = self._habits.length * _factor(factor + frequency + COARSE * key[-1])
-            self._starts[key] = starts.start(
-                starts.preferred_syllables(self._p, length, _factor(rate), _factor(frequency)),
-                starts.most_syllables(self._p, _factor(key[1]), shift / 100.0, _factor(rate)),
-                starts.syllable_volume(self._p) * _factor(key[1]),
-                spread=self._habits.spread,
-            )
-        return self._starts[key]
+            self._starts[here] = self._made(here)
+        return self._starts[here]
+
+    def _made(self, here: _Steps) -> Start:
+        p, volume, rate = self._p, _factor(here.volume), _factor(here.rate)
+        length = self._habits.length * _factor(here.length)
+        return starts.start(
+            starts.preferred_syllables(p, length, rate, _factor(here.frequency)),
+            starts.most_syllables(p, volume, here.shift / 100.0, rate),
+            starts.syllable_volume(p) * volume,
+            spread=self._habits.spread,
+        )
 
     def _now(self) -> Modifiers:
         levels = ((name, round(level * LEVELS) / LEVELS) for name, level in self._blend.at(self.time).items())
@@ -117,10 +130,6 @@ class Timeline:
                 self._modifiers.clear()
             self._modifiers[states] = modifiers(self._p, dict(states))
         return self._modifiers[states]
-
-
-def _coarse(factor: float) -> int:
-    return round(log(factor) * STEPS / COARSE)
 
 
 def _step(factor: float) -> int:
