@@ -18,6 +18,8 @@ from scorebreath.report.compact import BLOCK, CompactSound
 from scorebreath.report.rows import clock, groups_counted
 from scorebreath.report.transcript import transcript
 from scorebreath.score.document import Score
+from scorebreath.score.events import Inspiration
+from scorebreath.units import snap
 
 LONGEST = 600.0
 """s; of a longer Score the preview holds the beginning: 1.5 MB a minute, 21 MB at most"""
@@ -113,6 +115,7 @@ def _data(score: Score, curve_set: CurveSet, shown: float) -> str:
         "shown": shown,
         "channels": {name: _packed(values[:, column]) for column, name in enumerate(CHANNELS)},
         "text": transcript(score, curve_set.body, shown),
+        "inspired": sorted([e.onset, snap(e.end)] for e in score.of(Inspiration, curve_set.body) if e.onset < shown),
     }
     return json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,6 +10,10 @@ from typing import NamedTuple
 
 from scorebreath.score.document import Group, Score
 from scorebreath.score.events import Inspiration, Utterance
+from scorebreath.units import snap
+
+FOR_SPEECH = ("speech", "gasp")
+"""Kinds of inspiration that speech may follow on."""
 
 
 class Row(NamedTuple):
@@ -60,20 +65,30 @@ class Breath:
 
 def breaths(score: Score, body: str) -> tuple[Breath, ...]:
     """The breath groups of one body that have a time, in order of time."""
-    inspirations: dict[str | None, Inspiration] = {}
-    utterances: dict[str | None, Utterance] = {}
+    inspirations: dict[str | None, list[Inspiration]] = {}
+    utterances: dict[str | None, list[Utterance]] = {}
     for inspiration in score.of(Inspiration, body):
-        inspirations.setdefault(inspiration.group, inspiration)
+        inspirations.setdefault(inspiration.group, []).append(inspiration)
     for utterance in score.of(Utterance, body):
-        utterances.setdefault(utterance.group, utterance)
+        utterances.setdefault(utterance.group, []).append(utterance)
     found: list[Breath] = []
     for group in score.groups:
-        breath, speech = inspirations.get(group.id), utterances.get(group.id)
-        first, last = breath or speech, speech or breath
-        if first is not None and last is not None and group.body == body:
-            inspired = breath.end if breath else first.onset
-            found.append(Breath(onset=first.onset, end=last.end, inspired=inspired, group=group))
+        speech = utterances.get(group.id, [])
+        begins = min((each.onset for each in speech), default=math.inf)
+        breath = _for_speech(inspirations.get(group.id, []), begins)
+        if group.body != body or not (speech or breath):
+            continue
+        onset = breath.onset if breath else begins
+        inspired = snap(breath.end) if breath else begins
+        end = max((snap(each.end) for each in speech), default=inspired)
+        found.append(Breath(onset=onset, end=end, inspired=inspired, group=group))
     return tuple(sorted(found, key=lambda each: each.onset))
+
+
+def _for_speech(inspirations: Sequence[Inspiration], begins: float) -> Inspiration | None:
+    """The last breath taken for what is said from `begins` on: a sigh or a sniff before it is not."""
+    taken = [each for each in inspirations if each.kind in FOR_SPEECH and each.onset < begins]
+    return max(taken, key=lambda each: each.onset, default=None)
 
 
 class Label(NamedTuple):

@@ -13,10 +13,11 @@ from typing import BinaryIO
 import numpy as np
 
 from scorebreath.curves.curve_set import CurveSet
+from scorebreath.report.acts import Act, acts
 from scorebreath.report.rows import Breath, Row, breaths, clock, groups_counted, place, wrap
 from scorebreath.report.sheet import Points, Sheet
 from scorebreath.score.document import Score
-from scorebreath.score.events import Utterance
+from scorebreath.score.events import Inspiration, Utterance
 
 MOST_ROWS, ROW_SECONDS, SHORTEST_ROW = 8, 15.0, 5.0
 WIDTH, LEFT, RIGHT = 2400, 130, 60
@@ -60,7 +61,7 @@ def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
         score: Any Score.
         curve_set: The curves of the body to be drawn.
     """
-    groups = breaths(score, curve_set.body)
+    groups, done = breaths(score, curve_set.body), acts(score, curve_set.body)
     longest = min(ROW_SECONDS, max(SHORTEST_ROW, score.duration))
     rows = wrap(score.duration, [group.onset for group in groups], longest, MOST_ROWS)
     partial = rows[-1].end < score.duration
@@ -70,7 +71,7 @@ def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
     if partial:
         _strip(sheet, curve_set, rows)
     for number, row in enumerate(rows):
-        _Row(sheet, curve_set, top + ROW * number, row, (WIDTH - LEFT - RIGHT) / longest).draw(score, groups)
+        _Row(sheet, curve_set, top + ROW * number, row, (WIDTH - LEFT - RIGHT) / longest).draw(score, groups, done)
     sheet.png(stream)
 
 
@@ -114,30 +115,38 @@ class _Row:
         self.rate = pixels_a_second
         self.lung = _lung_band(curve_set, LUNG_TOP, LUNG_BOTTOM)
 
-    def draw(self, score: Score, groups: Sequence[Breath]) -> None:
+    def draw(self, score: Score, groups: Sequence[Breath], done: Sequence[Act]) -> None:
+        for inspiration in score.of(Inspiration, self.curves.body):
+            self._inspired(inspiration.onset, inspiration.end)
         for group in groups:
-            if group.onset < self.time.end and group.end > self.time.start:
+            if self._begins(group.onset):
                 self._group(group)
         self._scales()
         self._curves()
-        words = list(self._words(score.of(Utterance, self.curves.body)))
-        for label in place(words, WORD_SIZE, WORD_LINES):
-            self.sheet.text(label.x, self.top + WORDS + WORD_LINE * label.line, label.text, WORD_SIZE, INK)
+        words = [(text, x, INK) for text, x in self._words(score.of(Utterance, self.curves.body))]
+        words += [(f"[{act.caption}]", self._x(act.onset), BREATH) for act in done if self._begins(act.onset)]
+        words.sort(key=lambda word: word[1])
+        labels = place([(text, x) for text, x, _ in words], WORD_SIZE, WORD_LINES)
+        for label, (_, _, color) in zip(labels, words, strict=True):
+            self.sheet.text(label.x, self.top + WORDS + WORD_LINE * label.line, label.text, WORD_SIZE, color)
 
     def _x(self, time: float) -> float:
         return LEFT + (time - self.time.start) * self.rate
 
+    def _begins(self, time: float) -> bool:
+        """Whether a time is in this row."""
+        return self.time.start <= time < self.time.end
+
+    def _inspired(self, onset: float, end: float) -> None:
+        begin, end = max(onset, self.time.start), min(end, self.time.end)
+        if end > begin:
+            self.sheet.area([self._x(begin), self._x(end)], self.top + LABEL + 6, self.top + SOUND.bottom, INSPIRED)
+
     def _group(self, group: Breath) -> None:
-        begin, inspired = (min(max(t, self.time.start), self.time.end) for t in (group.onset, group.inspired))
-        if inspired > begin:
-            self.sheet.area(
-                [self._x(begin), self._x(inspired)], self.top + LABEL + 6, self.top + SOUND.bottom, INSPIRED
-            )
-        if group.onset >= self.time.start:
-            x = self._x(group.onset)
-            self.sheet.line(x, [self.top + LABEL - 16, self.top + WORDS + (WORD_LINES - 1) * WORD_LINE + 6], FAINT, 1.4)
-            seconds, syllables = group.end - group.onset, group.group.syllables
-            self.sheet.text(x + 9, self.top + LABEL, f"{seconds:.1f} s · {syllables} syll.", 15, FAINT)
+        x = self._x(group.onset)
+        self.sheet.line(x, [self.top + LABEL - 16, self.top + WORDS + (WORD_LINES - 1) * WORD_LINE + 6], FAINT, 1.4)
+        seconds, syllables = group.end - group.onset, group.group.syllables
+        self.sheet.text(x + 9, self.top + LABEL, f"{seconds:.1f} s · {syllables} syll.", 15, FAINT)
 
     def _scales(self) -> None:
         right, foot = self._x(self.time.end), self.top + SOUND.bottom
@@ -175,7 +184,7 @@ class _Row:
                 continue
             for word in utterance.words:
                 onset = utterance.onset + word.onset
-                if self.time.start <= onset < self.time.end:
+                if self._begins(onset):
                     yield word.text, self._x(onset)
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Iterator
 from typing import TypedDict
 
+from scorebreath.report.acts import Act, acts
 from scorebreath.report.rows import breaths
 from scorebreath.score.document import Score
 from scorebreath.score.events import Inspiration, Utterance
@@ -13,7 +15,7 @@ from scorebreath.units import snap
 
 
 class Piece(TypedDict, total=False):
-    """What stands between words has only a text, a breath has no text, a word has both text and time."""
+    """What stands between words has only a text, a breath has a depth, an act a caption, a word both text and time."""
 
     text: str
     onset: float
@@ -22,6 +24,8 @@ class Piece(TypedDict, total=False):
     """s"""
     depth: float
     """of a breath, fraction of VC"""
+    caption: str
+    """of what is done besides speaking, such as `[sighs]`"""
 
 
 class _Said(TypedDict):
@@ -33,14 +37,15 @@ class _Said(TypedDict):
 
 
 def transcript(score: Score, body: str, until: float) -> list[Piece]:
-    """The text as written, words and breaths with their times, as far as it is spoken before `until`.
+    """The text as written, words, breaths and acts with their times, as far as they begin before `until`.
 
     Several spoken words that stand for one written one ("23") are one piece. Words that stand nowhere in the text, or
     out of its order, appear as they are spoken.
     """
     text = _unwrapped(score.text)
-    depths = {event.group: event.to_volume - event.from_volume for event in score.of(Inspiration, body)}
+    depths = {event.onset: event.to_volume - event.from_volume for event in score.of(Inspiration, body)}
     starts = {each.group.id: each for each in breaths(score, body)}
+    done = deque(act for act in acts(score, body) if act.onset < until)
     pieces: list[Piece] = []
     at = 0
     group: str | None = None
@@ -52,17 +57,26 @@ def transcript(score: Score, body: str, until: float) -> list[Piece]:
         between = text[at : source[0]] if written and source else " "
         head, tail = _split(between) if at else ("", between)
         pieces.append({"text": head})
+        breathed: list[Piece] = []
         if begins and group in starts:
             breath = starts[group]
-            pieces.append(
-                {"onset": breath.onset, "end": snap(breath.inspired), "depth": snap(max(0.0, depths.get(group, 0.0)))}
-            )
+            depth = snap(max(0.0, depths.get(breath.onset, 0.0)))
+            breathed = [{"onset": breath.onset, "end": breath.inspired, "depth": depth}]
+        pieces += sorted([*breathed, *_captions(done, said["onset"])], key=lambda piece: piece["onset"])
         pieces.append({"text": tail})
         shown = text[source[0] : source[1]] if written and source else said["text"]
         pieces.append({"text": shown, "onset": said["onset"], "end": said["end"]})
         at = source[1] if written and source else at
     pieces.append({"text": re.match(r"\S*", text[at:])[0]})  # type: ignore[index]  # \S* always matches
+    pieces += _captions(done, until)
     return [piece for piece in pieces if piece.get("text") != ""]
+
+
+def _captions(done: deque[Act], until: float) -> Iterator[Piece]:
+    """Takes from `done` what begins before `until`."""
+    while done and done[0].onset < until:
+        act = done.popleft()
+        yield {"caption": f"[{act.caption}]", "onset": act.onset, "end": act.end}
 
 
 def _words(score: Score, body: str, until: float) -> Iterator[_Said]:

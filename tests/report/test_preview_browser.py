@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import html as markup
 import json
 import re
@@ -15,6 +16,7 @@ from scorebreath.curves.curve_set import curves
 from scorebreath.report import preview
 from scorebreath.score.document import Score
 from scorebreath.score.events import Inspiration, Utterance
+from tests.curves.acts import breathe_in
 from tests.curves.scores import Breath, build
 from tests.report.test_preview import HOSTILE, page
 
@@ -156,3 +158,18 @@ def test_a_small_window_scrolls_and_drops_no_word(chromium: str, tmp_path: Path,
             line = [label for label in told["shown"] if label["row"] == row]
             for one, after in pairwise(line):
                 assert one["left"] + one["width"] < after["left"], "labels overlap"
+
+
+def test_a_sigh_is_in_the_text_and_on_the_strip(chromium: str, tmp_path: Path) -> None:
+    score = build([Breath()], tail=0.0)
+    sigh = breathe_in(id="sigh", kind="sigh", onset=score.duration, duration=1.5)
+    score = dataclasses.replace(score, events=(*score.events, sigh), duration=sigh.end)
+    file = tmp_path / "preview.html"
+    file.write_text(page(score) + SEEN % [sigh.onset - 0.1, sigh.onset + 0.5], encoding="utf-8")
+    dom = dump(chromium, tmp_path, file, sigh.onset + 0.5)
+    assert re.search(r'<span class="act now"[^>]*>\[sighs\]</span></section>', dom)
+    found = re.search(r'data-told="([^"]*)"', dom)
+    assert found
+    before, during = json.loads(markup.unescape(found[1]))["told"]
+    assert [label["now"] for label in during["shown"] if label["text"] == "[sighs]"] == [True]
+    assert [label["now"] for label in before["shown"] if label["text"] == "[sighs]"] == [False]

@@ -57,14 +57,14 @@ const figure = (() => {
     path("front-lower", mix(["M", -wide, 60, "C", -22, low - 1, 22, low - 1, wide, 60, "C", 27, low + 20, -27, low + 20, -wide, 60, "Z"]));
   }
 
-  // What air does: in through what is open, out while speaking. The dashes travel with the volume: no clock of their own.
+  // What air does: in through what is open, out while speaking, or where it is heard. The dashes travel with the volume: no clock of their own.
   function air(pose, still) {
     const flow = Math.min(1, Math.abs(pose.airflow) / 1.2);
-    const open = pose.mouth_open + pose.nostril_flare, inward = pose.airflow > 0;
+    const open = pose.mouth_open + pose.nostril_flare, seen = pose.airflow > 0 || pose.breath_level > -79;
     for (const line of document.querySelectorAll("#air path")) {
       const nose = line.classList.contains("nose");
       const share = open > 0 ? (nose ? pose.nostril_flare : pose.mouth_open) / open : (nose ? 1 : 0);
-      line.setAttribute("opacity", inward ? n(flow * Math.min(1, .25 + share)) : 0);
+      line.setAttribute("opacity", seen ? n(flow * Math.min(1, .25 + share)) : 0);
       line.setAttribute("stroke-dashoffset", still ? 0 : n(-pose.lung_volume * 1400));
     }
     const loud = Math.max(0, 1 + pose.speech_level / 40);

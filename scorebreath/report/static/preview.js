@@ -42,7 +42,7 @@ audio.preload = "auto";
 audio.src = URL.createObjectURL(new Blob([bytes(at("sound").textContent.trim())], {type: "audio/flac"}));
 at("sound").remove();
 
-const state = {time: 0, playing: false, since: 0, gain: still ? 1 : 2, word: -1, breath: -1, last: null};
+const state = {time: 0, playing: false, since: 0, gain: still ? 1 : 2, word: -1, breath: -1, act: -1, last: null};
 function now() {
   if (!state.playing) return state.time;
   return silent ? (performance.now() - state.since) / 1000 : audio.currentTime;
@@ -80,12 +80,15 @@ function tick() {
 }
 
 // Text
-const words = [], breaths = [];
+const words = [], breaths = [], acts = [], inspired = data.inspired.map(([onset, end]) => ({onset, end}));
 for (const piece of data.text) {
   if (piece.onset === undefined) { at("transcript").append(piece.text); continue; }
   const span = document.createElement("span");
-  span.className = piece.text === undefined ? "breath" : "word";
-  if (piece.text === undefined) {
+  span.className = piece.caption !== undefined ? "act" : piece.text === undefined ? "breath" : "word";
+  if (piece.caption !== undefined) {
+    span.textContent = piece.caption;
+    acts.push({...piece, span});
+  } else if (piece.text === undefined) {
     span.style.width = `${(.5 + 4 * piece.depth).toFixed(2)}em`;
     span.title = `breath at ${clock(piece.onset)}`;
     breaths.push({...piece, span});
@@ -96,6 +99,7 @@ for (const piece of data.text) {
   span.dataset.onset = piece.onset;
   at("transcript").append(span);
 }
+const said = [...words, ...acts.map(act => ({...act, text: act.caption, act: true}))].sort((a, b) => a.onset - b.onset);
 at("transcript").addEventListener("click", event => {
   const onset = event.target.dataset.onset;
   if (onset !== undefined) seek(Number(onset));
@@ -119,7 +123,7 @@ function mark(list, key, t) {
 }
 // The transcript shows the last word or breath begun, also where nothing is said; before the first, its beginning.
 function follow(t) {
-  const begun = [words, breaths].map(list => list[lastBefore(list, t)]).filter(Boolean);
+  const begun = [words, breaths, acts].map(list => list[lastBefore(list, t)]).filter(Boolean);
   const last = begun.length ? begun.reduce((a, b) => a.onset > b.onset ? a : b) : null;
   if (last === state.last) return;
   state.last = last;
@@ -144,16 +148,16 @@ function canvas(id) {
 const lungs = channels.lung_volume.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [1e9, -1e9]);
 lungs[0] -= .02;
 lungs[1] = Math.max(lungs[1], lungs[0] + .1);
-// Every word has its label: in the first of three rows where there is room, a little later where there is none. Fewer
+// Every word and act has its label: in the first of three rows where there is room, a little later where there is none. Fewer
 // seconds are shown where those on one screen would crowd the rows: in a narrow window, or where speech is fast.
 const SECONDS = 10, DENSE = 90, ROWS = 3, ROW = 15, LATE = .25, FONT = "12px system-ui, sans-serif";
 let first = 0, labels = {width: 0, rate: 1, seconds: SECONDS, count: 1, rows: [], begins: [], longest: 0};
 function arrange(pen, width) {
-  const widths = words.map(word => pen.measureText(word.text).width + 6);
+  const widths = said.map(word => pen.measureText(word.text).width + 6);
   for (let rate = Math.max(width / SECONDS, DENSE); ; rate *= 1.2) {
     const free = Array(ROWS).fill(-1e9), rows = [], begins = [];
     let late = 0, longest = 0;
-    words.forEach((word, i) => {
+    said.forEach((word, i) => {
       let row = free.findIndex(end => end <= word.onset);
       if (row < 0) row = free.indexOf(Math.min(...free));
       begins.push(Math.max(word.onset, free[row]));
@@ -177,8 +181,8 @@ function strip(t) {
   const lung = v => middle - 6 - (v - lungs[0]) / (lungs[1] - lungs[0]) * (middle - 18);
   pen.textBaseline = "alphabetic";
   pen.fillStyle = colour.inspired;
-  for (let i = Math.max(0, lastBefore(breaths, first) - 1); i < breaths.length && breaths[i].onset < first + seconds; i++)
-    pen.fillRect(x(breaths[i].onset), 0, (breaths[i].end - breaths[i].onset) * rate, foot);
+  for (let i = Math.max(0, lastBefore(inspired, first) - 1); i < inspired.length && inspired[i].onset < first + seconds; i++)
+    pen.fillRect(x(inspired[i].onset), 0, (inspired[i].end - inspired[i].onset) * rate, foot);
   const from = Math.max(0, first), to = Math.min(data.shown, first + seconds);
   const trace = (name, y) => {
     pen.beginPath();
@@ -195,7 +199,7 @@ function strip(t) {
   pen.lineWidth = 2.2; pen.lineJoin = "round"; pen.strokeStyle = colour.ink;
   trace("lung_volume", lung); pen.stroke();
   for (const label of shown(t)) {
-    pen.fillStyle = label.now ? colour.ink : colour.faint;
+    pen.fillStyle = label.now ? (label.act ? colour.breath : colour.ink) : colour.faint;
     pen.fillText(label.text, label.left, foot + 4 + (label.row + .75) * ROW);
   }
   pen.fillStyle = colour.ink;
@@ -203,8 +207,8 @@ function strip(t) {
 }
 function shown(t) {
   const {rate, seconds, rows, begins, longest} = labels, found = [];
-  for (let i = Math.max(0, lastBefore(words, first - longest)); i < words.length && words[i].onset < first + seconds; i++)
-    found.push({text: words[i].text, left: (begins[i] - first) * rate, row: rows[i], now: words[i].onset <= t && t < words[i].end});
+  for (let i = Math.max(0, lastBefore(said, first - longest)); i < said.length && said[i].onset < first + seconds; i++)
+    found.push({text: said[i].text, act: said[i].act, left: (begins[i] - first) * rate, row: rows[i], now: said[i].onset <= t && t < said[i].end});
   return found;
 }
 let peaks = [];
@@ -233,6 +237,7 @@ function pose(t) {
   const values = poseAt(t);
   mark(words, "word", t);
   mark(breaths, "breath", t);
+  mark(acts, "act", t);
   follow(t);
   strip(t);
   overview(t);
