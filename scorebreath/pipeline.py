@@ -21,6 +21,7 @@ from scorebreath.planning.planners import open_planner
 from scorebreath.score.document import Body, Group, MediaInfo, Score, VoiceInfo
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Pause
 from scorebreath.script.marks import StateMark
+from scorebreath.script.markup.marked import Markup
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import read
 from scorebreath.speech.model import Speech, SpeechRequest, Voice
@@ -51,12 +52,13 @@ def compile_text(
     media: MediaStore,
     parameters: Parameters | None = None,
     model: str = "natural",
-    language: str = "en",
+    language: str | None = None,
     poem: bool | None = None,
     seed: int = 0,
     lead: float = 0.5,
     tail: float = 1.0,
     file: str = "",
+    markup: Markup = "auto",
     states: Mapping[str, float] | None = None,
     voices: Callable[[str], Voice] | None = None,
     cast: Mapping[str, Parameters] | None = None,
@@ -71,12 +73,13 @@ def compile_text(
         media: Where the speech goes.
         parameters: Defaults where nothing is given.
         model: `natural`, `bernardet-2017` or `bernardet-2019`.
-        language: BCP 47 primary language.
+        language: BCP 47 primary language; None: what the text's markup says, or English.
         poem: Whether line ends are phrase edges; None: as the text looks.
         seed: Of every chance.
         lead: Time before the first breath, s.
         tail: Time after the body has come back to rest, s.
         file: Name of the text, for messages.
+        markup: What stands in the text besides words: `tags`, `ssml`, `none`; `auto`: as it looks.
         states: States the body is in from the beginning, with their intensities (`parameters.states`).
         voices: Opens a voice by its name, for texts that change the voice; the caller closes it.
         cast: Parameters of those who speak with another voice, by the voice's name; else as the first one's.
@@ -92,7 +95,7 @@ def compile_text(
     """
     p = parameters or Parameters()
     breathing = breathing_model(model)
-    script = read(text, language=language, poem=poem, file=file)
+    script = read(text, language=language, poem=poem, file=file, markup=markup)
     begun = begin_states(states or {})
     performers: dict[str, _Performer] = {}
 

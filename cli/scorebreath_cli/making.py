@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from scorebreath.media.recordings import Recordings
     from scorebreath.media.store import MediaStore
     from scorebreath.score.document import Score
+    from scorebreath.script.markup.marked import Markup
     from scorebreath.speech.model import Voice
 
 
@@ -41,38 +42,34 @@ class Compiler:
             printer: Told how far it is.
         """
         self.options, self._printer = options, printer
-        self._voice: Voice | None = None
-        self._others: dict[str, Voice] = {}
+        self._voices: dict[tuple[str, str], Voice] = {}
         self._described = False
 
-    def voice(self) -> Voice:
-        """The voice; a first call starts its process, which gets ready by itself.
+    def voice(self, name: str = "", language: str = "") -> Voice:
+        """A voice, opened when first asked for: a first call starts its process, which gets ready by itself.
+
+        Args:
+            name: Of a voice that the text changes to; empty: the one of the options.
+            language: That the text says it is in; what the options say comes first.
 
         Raises:
             InputError: There is none of that name, or it does not speak the language.
             VoiceError: It is not installed.
         """
-        if self._voice is None:
+        language = self.options.language or language or DEFAULT_LANGUAGE
+        key = name or self.options.voice or DEFAULT_VOICE, language
+        if key not in self._voices:
             from scorebreath.speech.voices import open_voice
 
-            language = self.options.language or DEFAULT_LANGUAGE
-            self._voice = open_voice(self.options.voice or DEFAULT_VOICE, language)
-            if said := _without_region(language, self._voice):
+            self._voices[key] = open_voice(*key)
+            if said := _without_region(language, self._voices[key]):
                 self._printer.note(said)
-        return self._voice
+        return self._voices[key]
 
-    def other(self, name: str) -> Voice:
-        """A voice that the text changes to; opened when first met, closed with the others.
-
-        Raises:
-            InputError: There is none of that name, or it does not speak the language.
-            VoiceError: It is not installed.
-        """
-        if name not in self._others:
-            from scorebreath.speech.voices import open_voice
-
-            self._others[name] = open_voice(name, self.options.language or DEFAULT_LANGUAGE)
-        return self._others[name]
+    def prepare(self, source: Source) -> None:
+        """Let the voice get ready, unless the text may say which language it is in."""
+        if not source.data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<"):
+            self.voice()
 
     def _recordings(self, media: MediaStore) -> Recordings | None:
         """The user's own breaths, made ready in `media`, with a line about each."""
@@ -101,12 +98,15 @@ class Compiler:
             InputError: The script, an option or a parameter is wrong.
             VoiceError: The voice failed.
         """
-        voice, options = self.voice(), self.options
+        options = self.options
+        self.prepare(source)
         from scorebreath.pipeline import compile_text
         from scorebreath.script.decode import decode
 
-        parameters, states = options.parameters(), options.begin()
+        parameters, states, markup = options.parameters(), options.begin(), options.kind_of_markup()
         text = decode(source.data, source.name)
+        language = options.language or language_of(text, markup, source.name)
+        voice = self.voice(language=language)
         lead, tail = seconds("lead", options.lead, LEAD), seconds("tail", options.tail, TAIL)
         self._printer.progress("speak", 0.0)
         meanwhile()
@@ -115,16 +115,16 @@ class Compiler:
             parameters=parameters,
             voice=voice,
             model=options.model or DEFAULT_MODEL,
-            language=options.language or DEFAULT_LANGUAGE,
+            language=language,
             poem=options.poem,
             seed=seed(options.seed),
             media=media,
             lead=lead,
             tail=tail,
             file=source.name,
-            markup=options.kind_of_markup(),
+            markup=markup,
             states=states,
-            voices=self.other,
+            voices=lambda name: self.voice(name, language),
             recordings=self._recordings(media),
             on_progress=lambda fraction: self._printer.progress("speak", fraction),
         )
@@ -137,9 +137,21 @@ class Compiler:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
         """End the voices' processes."""
-        for voice in (self._voice, *self._others.values()):
-            if voice is not None:
-                voice.close()
+        for voice in self._voices.values():
+            voice.close()
+
+
+def language_of(text: str, markup: Markup, file: str) -> str:
+    """The language that the markup of a text says it is in, or English.
+
+    Raises:
+        ScriptError: The markup is wrong.
+    """
+    from scorebreath.script.markup.marked import is_ssml, marked
+
+    if markup == "ssml" or (markup == "auto" and is_ssml(text)):
+        return marked(text, markup=markup, file=file).language or DEFAULT_LANGUAGE
+    return DEFAULT_LANGUAGE
 
 
 def _without_region(language: str, voice: Voice) -> str:

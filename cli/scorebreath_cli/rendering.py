@@ -96,7 +96,7 @@ class Renderer:
         if source.compiled:
             self._compiler.options.refuse(source.name)
         else:
-            self._compiler.voice()
+            self._compiler.prepare(source)
         return self._sound.check()
 
     def _score(self, source: Source, part: Path, meanwhile: Callable[[], object]) -> tuple[Score, MediaStore]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from scorebreath.errors import InputError, did_you_mean, shortened
 
@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from scorebreath.parameters.table import Parameters
+    from scorebreath.script.markup.marked import Markup
 
 DEFAULT_VOICE = "espeak"
 DEFAULT_MODEL = "natural"
@@ -98,7 +99,7 @@ class CompileOptions:
             found[name] = intensity
         return found
 
-    def kind_of_markup(self) -> str:
+    def kind_of_markup(self) -> Markup:
         """How the text is marked up.
 
         Raises:
@@ -107,7 +108,7 @@ class CompileOptions:
         kind = self.markup or MARKUPS[0]
         if kind not in MARKUPS:
             raise InputError(f"--markup {shortened(kind, 40)}: expected {', '.join(MARKUPS)}")
-        return kind
+        return cast("Markup", kind)
 
 
 _RATE = re.compile(r"[0-9]{1,9}(\.[0-9]{0,9}|/0{0,3}[1-9][0-9]{0,8})?")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scorebreath.compose import sounds
 from scorebreath.compose.chances import Chances
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import Air
@@ -25,8 +26,10 @@ TOP = 0.85
 """Highest volume of a breath at rest."""
 SIGHING = 2.2
 """Depth of a sigh at rest, times a resting breath (physiology 1.6: 2 to 3)."""
-QUIETER = -6.0
-"""dB of an expiration against an inspiration of equal flow (physiology 3.2: -8, less where it is heard at all)."""
+QUIETER = -10.0
+"""dB of an expiration against an inspiration of equal flow (physiology 3.2: -8; rarely audible at rest)."""
+HEARD = 0.06
+"""Volume, fraction of VC, from which on the way back up to rest is a breath to be heard and seen."""
 
 
 def wait(placer: Placer, until: float, rule: str = "") -> None:
@@ -66,7 +69,11 @@ def relax(placer: Placer, length: float) -> None:
     if placer.volume > rest:
         placer.exhale("relax", rest, length, rule=rule, kind="tidal", peak=0.5)
     elif placer.volume < rest:
-        placer.inhale("relax", rest, length, rule=rule, kind="tidal", nose=0.0, mouth=0.0, opening=0.0, peak=0.5)
+        gain = placer.p.amplitude_breathing_sound if rest - placer.volume > HEARD else 0.0
+        placer.inhale(
+            "relax", rest, length, rule=rule, kind="tidal", nose=0.5 * gain, mouth=0.5 * gain,
+            opening=1.0 if gain else 0.0, peak=sounds.PEAK if gain else 0.5,
+        )  # fmt: skip
 
 
 def _cycle(placer: Placer, end: float, usual: float) -> None:
@@ -87,6 +94,10 @@ def _cycle(placer: Placer, end: float, usual: float) -> None:
     nose = NOSE if ventilation < ORONASAL else min(NOSE, m.nose_share)
     gain = p.amplitude_breathing_sound
     rule = "physiology 1.6"
+    if placer.volume > to - 0.5 * depth:  # full from what was before: only out
+        placer.exhale("tidal_out", level.rest, length - pause, rule=rule, kind="tidal", profile="exponential")
+        placer.hold("tidal_pause", snap(end - placer.time), rule=rule)
+        return
     placer.inhale(
         "tidal", to, inward, rule=rule, kind="sigh" if sighs else "tidal", nose=nose * gain, mouth=(1.0 - nose) * gain,
         peak=0.5,

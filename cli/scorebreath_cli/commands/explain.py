@@ -11,7 +11,7 @@ import typer
 from scorebreath_cli import options as o
 from scorebreath_cli import printers
 from scorebreath_cli.failures import Status, reporting
-from scorebreath_cli.settings import DEFAULT_LANGUAGE, DEFAULT_MODEL, CompileOptions
+from scorebreath_cli.settings import DEFAULT_MODEL, CompileOptions
 from scorebreath_cli.settings import seed as seed_of
 
 if TYPE_CHECKING:
@@ -75,20 +75,18 @@ def _of_script(source: Source, compiler: Compiler) -> Iterator[GroupRow]:
     from scorebreath.planning.explain import explain as rows
     from scorebreath.script.decode import decode
     from scorebreath.script.reader import read
+    from scorebreath_cli.making import language_of
 
     options = compiler.options
     parameters = options.parameters()
-    script = read(
-        decode(source.data, source.name),
-        language=options.language or DEFAULT_LANGUAGE,
-        poem=options.poem,
-        file=source.name,
-    )
+    text, markup = decode(source.data, source.name), options.kind_of_markup()
+    language = options.language or language_of(text, markup, source.name)
+    script = read(text, language=language, poem=options.poem, file=source.name, markup=markup)
     groups = plan_script(
         script,
         parameters=parameters,
         model=options.model or DEFAULT_MODEL,
-        count=lambda words: compiler.voice().syllables(words),  # the papers' models never ask
+        count=lambda words: compiler.voice(language=language).syllables(words),  # the papers' models never ask
         states=begin_states(options.begin()),
         seed=seed_of(options.seed),
     )
