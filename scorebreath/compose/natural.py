@@ -31,8 +31,6 @@ VOLUME_VARIATION = 0.5
 """What a syllable takes varies from group to group by so many times as much as resting cycles do."""
 NOTHING = 2e-6
 """s that are no time: sums of numbers on the grid."""
-SHALLOW = 0.05
-"""Need, fraction of VC, below which the depth of a breath says nothing about its length."""
 MOST_IRREGULAR = 1.6
 """Times its usual spread that the depth of breaths varies at most."""
 SIGH_SPREAD = 0.3
@@ -128,7 +126,7 @@ def _inspire(placer: Placer, spoken: Spoken, breath: Act | None) -> None:
     wishes = state.breathing
     louder = (breath.level_db if breath else 0.0) + (wishes.level_db if wishes else 0.0)
     longer = (breath.length if breath else 1.0) * (wishes.length if wishes else 1.0)
-    longer *= timing.for_depth(to - placer.volume, max(need, SHALLOW))
+    longer *= timing.for_depth(to - placer.volume, need)
     length = timing.speech_inspiration(p, m, chances, syllables=syllables, site=state.site, asked=longer)
     if breath and breath.seconds is not None:
         length = breath.seconds

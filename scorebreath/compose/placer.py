@@ -162,7 +162,7 @@ class Placer:
         origin: Origin = "rule",
     ) -> None:
         """Breathe out to a volume, heard where `air` is given."""
-        to = snap(max(self.levels.floor, min(to, self.volume)))
+        to = snap(min(self.volume, max(self.levels.floor, to)))
         moved = self.volume - to
         steepness = STEEPNESS[profile] / (PUFF_SHARE if puffs else 1.0)
         length = snap(timing.unhurried(length, moved, self.state.person.vital_capacity, steepness))

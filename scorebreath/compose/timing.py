@@ -20,6 +20,8 @@ NEUTRAL_VARIATION = 0.15
 """At which the parameters' own spreads hold; states make breathing more or less regular (physiology 4.2)."""
 OWN_SHARE = 0.85
 """Of the spread of lengths, what is not already due to the spread of depths (`for_depth`)."""
+SMALL_VOLUME = 0.03
+"""Fraction of VC, see `for_depth`."""
 SILENCES: dict[PauseKind, tuple[float, float]] = {
     "edge": (0.02, 0.6),
     "sentence": (0.06, 1.2),
@@ -46,17 +48,16 @@ def speech_inspiration(
 
 
 def for_depth(moved: float, usual: float) -> float:
-    r"""How much longer a breath takes that is deeper than usual: :math:`(V / V_0)^{0.35}`, in 0.75..1.35.
+    r"""How much longer a breath takes that is deeper than usual: :math:`((V + v) / (V_0 + v))^{0.35}`, in 0.75..1.35.
 
     Breaths are drawn deeper partly by faster and partly by longer flow; their lengths and depths go together over a
-    speaker's breaths with r = 0.3 to 0.6 (physiology 1.3).
+    speaker's breaths with r = 0.3 to 0.6 (physiology 1.3). :math:`v` keeps the smallest breaths from counting double.
 
     >>> [round(for_depth(volume, 0.16), 3) for volume in (0.16, 0.25, 0.09)]
-    [1.0, 1.169, 0.818]
+    [1.0, 1.145, 0.851]
     """
-    if usual <= 0 or moved <= 0:
-        return 1.0
-    return min(1.35, max(0.75, exp(0.35 * log(moved / usual))))
+    ratio = (max(0.0, moved) + SMALL_VOLUME) / (max(0.0, usual) + SMALL_VOLUME)
+    return min(1.35, max(0.75, exp(0.35 * log(ratio))))
 
 
 def unhurried(length: float, volume: float, vital_capacity: float, steepness: float = pi / 2) -> float:

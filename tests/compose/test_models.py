@@ -108,7 +108,7 @@ def test_natural_breaths_follow_what_is_to_be_said() -> None:
     events, _ = perform("natural", [*FORECAST, ("five", 10, 2.0, "sentence")], p)
     breaths = [e for e in events if isinstance(e, Inspiration) and e.kind == "speech"]
     assert [e.duration for e in breaths] == pytest.approx(
-        [0.54 * (0.088 / 0.108) ** 0.35, 0.60, 0.72, 0.46 * 0.7, 0.52 * 1.15], abs=2e-6
+        [0.54 * (0.118 / 0.138) ** 0.35, 0.60, 0.72, 0.46 * 0.7, 0.52 * 1.15], abs=2e-6
     )  # the first begins at rest, 2 % of VC above where speech ends
     assert [round(e.to_volume, 3) for e in breaths] == [0.468, 0.522, 0.63, 0.396, 0.45]
     # physiology 1.4: silences
@@ -132,7 +132,7 @@ def test_draws_belong_to_a_place_not_to_a_number() -> None:
     assert len(set(before.values())) == len(before)
     for name, (length, _) in before.items():  # what is left in the lungs is carried over, and fades
         assert after[name][0] == pytest.approx(length, rel=0.15)
-    assert after["four"][0] == pytest.approx(before["four"][0], rel=0.03)
+    assert after["four"][0] == pytest.approx(before["four"][0], rel=0.06)
 
 
 def test_an_equal_group_said_again_breathes_otherwise() -> None:

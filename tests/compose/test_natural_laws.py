@@ -167,8 +167,9 @@ def test_at_rest_it_breathes_as_people_do() -> None:
 def test_a_short_wait_is_no_breath_and_a_long_pause_is_one() -> None:
     assert not [e for e in resting(Parameters(), 1.0) if isinstance(e, (Inspiration, Expiration))]
     pause = Act(at=0, written="[pause 9]", name="pause", seconds=9.0)
-    events, _ = perform("natural", [("a", 10, 2.0, "sentence"), ("b", 10, 2.0, "sentence")], marks={1: (pause,)})
-    between = [e for e in events if isinstance(e, Inspiration) and e.kind == "tidal"]
+    groups: Said = [("a", 10, 2.0, "sentence"), ("b", 10, 2.0, "sentence")]
+    events, _ = perform("natural", groups, Parameters(initiation_spread=0.0), marks={1: (pause,)})
+    between = [e for e in events if isinstance(e, Inspiration) and e.kind == "tidal" and e.group]
     assert len(between) == 2
     assert next(e for e in events if isinstance(e, Pause) and e.kind == "asked").duration == 9.0
 
