@@ -13,7 +13,7 @@ from scorebreath.score.document import Person, Score
 from scorebreath.score.events import EVENTS, Expiration, Hold, Inspiration
 
 LEAD = EVENTS[Inspiration.type][1].lead
-"""s; how long before its onset an inspiration may change anything"""
+"""s; how long before its onset a breath may change anything"""
 FACTORS = ("thorax_share", "thorax", "abdomen", "shoulder", "neck_pitch", "tremor")
 """What the volume above rest is multiplied by, in the columns of `Breathing.factors`."""
 TREMOR_HZ = 7.5
@@ -46,10 +46,10 @@ class Breathing:
     strokes: Strokes
     factors: Array
     """(n, 6) see FACTORS"""
-    inspirations: Index
-    """(m,) which events are inspirations"""
+    turns: Index
+    """(m,) which events bring factors: inspirations, and whatever has others than the event before it"""
     reach: int
-    """the most inspirations that begin within one LEAD"""
+    """the most turns that begin within one LEAD"""
 
     def locate(self, times: Array) -> Place:
         """The event and the stroke under way at each time."""
@@ -76,8 +76,9 @@ class Breathing:
     def factor(self, name: str, times: Array, index: Index) -> Array:
         """A factor of FACTORS at each time.
 
-        Each event has its own, constant. Where an inspiration's differ from those before it, they cross-fade over
-        the LEAD before its onset, when little is left above the resting volume: no step, and no reach beyond its own.
+        Each event has its own, constant. Where they differ from those before it, they cross-fade over the LEAD before
+        its onset; before an inspiration little is left above the resting volume then. No step, and no reach beyond the
+        event's own.
         """
         if not self.track.events:
             return np.zeros(times.shape)
@@ -85,10 +86,10 @@ class Breathing:
         value = column[index]
         if np.all(column == column[0]):
             return value
-        following = np.searchsorted(self.track.start[self.inspirations], times, side="right")
+        following = np.searchsorted(self.track.start[self.turns], times, side="right")
         for _ in range(self.reach):
-            coming = self.inspirations[np.minimum(following, len(self.inspirations) - 1)]
-            ahead = np.where(following < len(self.inspirations), self.track.start[coming] - times, LEAD)
+            coming = self.turns[np.minimum(following, len(self.turns) - 1)]
+            ahead = np.where(following < len(self.turns), self.track.start[coming] - times, LEAD)
             value = value + (column[coming] - value) * np.clip(1.0 - ahead / LEAD, 0.0, 1.0)
             following = following + 1
         return value
@@ -103,8 +104,11 @@ def breathing(score: Score, body: str, person: Person) -> Breathing:
     events: Track[VolumeEvent] = track(
         [e for e in score.events if isinstance(e, Inspiration | Expiration | Hold) and e.body == body], "breaths"
     )
-    inspirations = np.flatnonzero([isinstance(event, Inspiration) for event in events.events])
-    onsets = events.start[inspirations]
+    factors = np.array([_factors(event) for event in events.events], dtype=np.float64).reshape(-1, len(FACTORS))
+    brings = np.array([isinstance(event, Inspiration) for event in events.events], dtype=np.bool_)
+    brings[1:] |= np.any(factors[1:] != factors[:-1], axis=1)
+    turns = np.flatnonzero(brings)
+    onsets = events.start[turns]
     within = np.searchsorted(onsets, onsets + LEAD, side="right") - np.arange(len(onsets))
     return Breathing(
         person=person,
@@ -112,9 +116,11 @@ def breathing(score: Score, body: str, person: Person) -> Breathing:
         from_volume=events.column(lambda e: e.volume if isinstance(e, Hold) else e.from_volume),
         to_volume=events.column(lambda e: e.volume if isinstance(e, Hold) else e.to_volume),
         strokes=strokes(events),
-        factors=np.array(
-            [(e.thorax_share, *(getattr(e.motion, name) for name in FACTORS[1:])) for e in events.events]
-        ).reshape(-1, len(FACTORS)),
-        inspirations=inspirations,
+        factors=factors,
+        turns=turns,
         reach=int(within.max(initial=0)),
     )
+
+
+def _factors(event: VolumeEvent) -> tuple[float, ...]:
+    return (event.thorax_share, *(getattr(event.motion, name) for name in FACTORS[1:]))

@@ -113,8 +113,8 @@ EVENTS: Mapping[str, tuple[type[Event], Reach]] = MappingProxyType(
         kind.type: (kind, Reach(lead=lead, lag=lag))
         for kind, lead, lag in (
             (Inspiration, 0.5, 0.0),
-            (Expiration, 0.0, 0.0),
-            (Hold, 0.0, 0.0),
+            (Expiration, 0.5, 0.0),
+            (Hold, 0.5, 0.0),
             (Utterance, 0.5, 0.5),
             (Phrase, 0.0, 0.0),
             (Pause, 0.0, 0.0),

@@ -83,6 +83,10 @@ class _Body:
     share: float
     motion: Motion
 
+    def turn(self, draw: st.DrawFn) -> None:
+        """What the volume moves becomes another."""
+        self.share, self.motion = draw(_on_grid(0, 1)), draw(_motions)
+
     def place(self, event: Event, volume: float) -> Event:
         self.time, self.volume = snap(event.end), volume
         return event
@@ -90,13 +94,12 @@ class _Body:
 
 @st.composite
 def performances(draw: st.DrawFn, most: int = 6) -> Score:
-    """A Score in which a body breathes in every way there is, without a gap, and ends at its resting volume.
-
-    What the volume moves changes with inspirations alone, as it does for whoever composes.
-    """
+    """A Score in which a body breathes in every way there is, without a gap, and ends at its resting volume."""
     body = _Body(0.0, REST, draw(_on_grid(0, 1)), draw(_motions))
     events: list[Event] = []
     for number in range(draw(st.integers(1, most))):
+        if draw(st.integers(0, 3)) == 0:
+            body.turn(draw)
         make = draw(st.sampled_from((_draw_in, _draw_out, _draw_hold)))
         events.append(make(draw, body, f"e{number}"))
     if body.volume > REST:
@@ -110,7 +113,7 @@ def _draw_in(draw: st.DrawFn, body: _Body, name: str, to: float | None = None) -
     to = draw(_on_grid(body.volume + 0.01, 0.95)) if to is None and body.volume < 0.9 else to
     if to is None:
         return _draw_out(draw, body, name)
-    body.share, body.motion = draw(_on_grid(0, 1)), draw(_motions)
+    body.turn(draw)
     length, envelope = draw(_on_grid(0.3, 2.5)), draw(_envelopes)
     event = breathe_in(
         id=name, onset=body.time, duration=length, kind=draw(st.sampled_from(INSPIRATIONS)), from_volume=body.volume,

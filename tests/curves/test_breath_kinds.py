@@ -133,6 +133,16 @@ def test_fear_comes_with_the_next_breath_s_lead() -> None:
     assert value(score, "thorax", *low) == pytest.approx([0.34 * (1 - 0.2 * s) for s in shares], abs=1e-5)
 
 
+def test_what_the_volume_moves_may_change_with_any_breath() -> None:
+    """A state that begins before an expiration: the belly takes over during half a second before it, not at once."""
+    belly = dataclasses.replace(STEADY, abdomen=2.0)
+    score = score_of(
+        [keep(id="before", duration=2.0), breathe_out(onset=2.0, motion=belly, thorax_share=0.25, profile="linear")]
+    )
+    assert value(score, "abdomen", 1.5, 1.75, 2.0, 3.0) == pytest.approx([1.4 * 0.2, 1.7 * 0.2, 2.0 * 0.2, 2.0 * 0.1])
+    assert value(score, "thorax_volume", 1.5, 1.75, 2.0) == pytest.approx([0.65 * 0.2, 0.45 * 0.2, 0.25 * 0.2])
+
+
 def test_an_expiration_opens_mouth_and_nostrils() -> None:
     out = breathe_out(onset=1.0, duration=1.0, mouth_open=0.5, nostril_flare=0.1, face=face_of(1.0))
     score = score_of([breathe_in(onset=0.4, face=face_of(0.6)), out])
