@@ -81,7 +81,7 @@ def test_exercise_at_half_and_three_quarters_of_what_somebody_can_do(
     m = modifiers(Parameters(), {"exertion": level})
     assert m.syllables == pytest.approx(syllables, abs=0.03)
     assert m.inspiration == pytest.approx(inspiration, abs=0.03)
-    assert 1.3 < m.syllables * m.volume + m.start * m.exhale_chance / 0.162 < 2.2
+    assert 1.2 < m.syllables * m.volume + m.exhale_chance * 0.12 / 0.162 < 2.2
 
 
 def test_the_default_speaker_is_exactly_neutral() -> None:

@@ -1,15 +1,18 @@
-"""The table of states: every row complete, the figures of physiology 4.2, names people type."""
+"""The table of states: every row complete, the figures of physiology 4.2, names people type, docs/states.md."""
 
 from __future__ import annotations
 
+import re
 from dataclasses import fields
 from math import log10
+from pathlib import Path
 
 import pytest
 
 from scorebreath.errors import InputError
 from scorebreath.parameters.columns import COLUMNS, deviations
 from scorebreath.parameters.modifiers import Modifiers, modifiers
+from scorebreath.parameters.presets import load_preset, names
 from scorebreath.parameters.states import STATES, find_state
 from scorebreath.parameters.table import Parameters
 
@@ -60,7 +63,7 @@ SIGNATURES: list[tuple[str, str, float, float]] = [
 
 def whole_db(m: Modifiers) -> float:
     """By how much a speech breath is louder in all: what its flow does (physiology 3.1), and the rest."""
-    depth = m.syllables * m.volume + max(0.0, m.start) * m.exhale_chance / 0.162
+    depth = m.syllables * m.volume + m.exhale_chance * 0.12 / 0.162
     length = m.inspiration * (0.42 + 0.18 * m.syllables) / 0.60
     return m.breath_db + 33.2 * log10(depth / length)
 
@@ -153,3 +156,34 @@ def test_an_unknown_state_names_what_may_be_meant(wrong: str, meant: str) -> Non
 def test_a_broken_row_is_found(bad: dict[str, object]) -> None:
     with pytest.raises(ValueError, match=f"a row: {next(iter(bad))}"):
         deviations(bad, "a row")
+
+
+TEXT = (Path(__file__).resolve().parents[2] / "docs" / "states.md").read_text(encoding="utf-8")
+FIGURES = dict(re.findall(r"^\| `([a-z]+(?: [\d.]+)?)` \| ([-+.|\d ]+) \|$", TEXT, re.MULTILINE))
+NOT_OF_A_PERSON = {"casual-human", "casual-tts", "formal-human", "formal-tts", "nose", "stylised"}
+
+
+def shown(m: Modifiers) -> list[str]:
+    before = (m.rate, m.depth, m.fraction, m.syllables, m.inspiration, m.pause, m.thorax_share, m.nose_share)
+    whole = round(whole_db(m))
+    return [*(f"{value:.2f}" for value in before), f"{whole:+d}" if whole else "0", f"{m.variation:.2f}"]
+
+
+def test_every_state_has_a_row_of_figures_and_one_of_words() -> None:
+    assert {label.split()[0] for label in FIGURES} == set(STATES)
+    assert set(re.findall(r"^\| `([a-z]+)` \| [^|]*[a-z]{3}[^|]*\| [^|]*\|$", TEXT, re.MULTILINE)) >= set(STATES)
+
+
+@pytest.mark.parametrize("label", FIGURES)
+def test_the_figures_are_the_tables(label: str) -> None:
+    name, _, level = label.partition(" ")
+    assert [cell.strip() for cell in FIGURES[label].split("|")] == shown(
+        modifiers(Parameters(), {name: float(level or 1)})
+    )
+
+
+def test_every_preset_of_a_person_is_listed_with_what_it_sets() -> None:
+    told = dict(re.findall(r"^\| `([a-z-]+)` \| (`[a-z_]+ = .*`) \|$", TEXT, re.MULTILINE))
+    assert set(told) == set(names()) - NOT_OF_A_PERSON
+    for name, row in told.items():
+        assert row == ", ".join(f"`{key} = {value}`" for key, value in load_preset(name).values.items())
