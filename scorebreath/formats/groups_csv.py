@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable, Mapping, Sequence
-from typing import BinaryIO, TypeVar
+from collections.abc import Mapping, Sequence
+from typing import BinaryIO
 
 from scorebreath.score.document import Group, Score
-from scorebreath.score.events import Event, Expiration, Inspiration, Utterance
+from scorebreath.score.spoken import SpokenGroup, spoken_groups
 from scorebreath.units import snap
 
 COLUMNS = (
@@ -23,10 +23,10 @@ COLUMNS = (
 )  # fmt: skip
 """`onset` to `end` is the breath group of B52: from the inspiration's onset to the end of the last phone.
 
-`to_volume` is where speech begins, `end_volume` where it ends. A cell is empty where the Score has no such event.
+`to_volume` is where speech begins, `end_volume` where it ends; where something is done between words, speech goes on
+to the last of them. A cell is empty where the Score has no such event.
 """
 
-E = TypeVar("E", bound=Event)
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
@@ -37,10 +37,10 @@ def write(stream: BinaryIO, score: Score) -> None:
         stream: Takes bytes.
         score: Any Score.
     """
-    breaths, speeches, spent = _first(score.of(Inspiration)), _first(score.of(Utterance)), _first(score.of(Expiration))
+    spoken = spoken_groups(score)
     stream.write(_line(COLUMNS))
     for group in score.groups:
-        cells = _cells(group, breaths.get(group.id), speeches.get(group.id), spent.get(group.id))
+        cells = _cells(group, spoken[group.id])
         stream.write(_line([cells[column] for column in COLUMNS]))
 
 
@@ -50,11 +50,11 @@ def _line(cells: Sequence[str | int]) -> bytes:
     return (text.getvalue().removesuffix("\r\n") + "\n").encode("utf-8", "replace")
 
 
-def _cells(
-    group: Group, breath: Inspiration | None, speech: Utterance | None, spent: Expiration | None
-) -> Mapping[str, str | int]:
-    begin = next((event.onset for event in (breath, speech) if event is not None), None)
-    end = None if speech is None else snap(speech.end)
+def _cells(group: Group, spoken: SpokenGroup) -> Mapping[str, str | int]:
+    breath, begin = spoken.inspiration, spoken.onset
+    first = spoken.utterances[0] if spoken.utterances else None
+    last = spoken.utterances[-1] if spoken.utterances else None
+    end = None if last is None else snap(last.end)
     return {
         "group": _safe(group.id),
         "body": _safe(group.body),
@@ -63,29 +63,20 @@ def _cells(
         "end": _number(end),
         "inspiration_onset": _number(breath.onset if breath else None),
         "inspiration_duration": _number(breath.duration if breath else None),
-        "speech_onset": _number(speech.onset if speech else None),
-        "speech_duration": _number(speech.duration if speech else None),
+        "speech_onset": _number(first.onset if first else None),
+        "speech_duration": _number(end - first.onset if first and end is not None else None),
         "syllables": group.syllables,
         "from_volume": _number(breath.from_volume if breath else None),
         "to_volume": _number(breath.to_volume if breath else None),
-        "end_volume": _number(spent.to_volume if spent else None),
+        "end_volume": _number(spoken.spent[-1].to_volume if spoken.spent else None),
         "sentence_type": group.sentence_type,
-        "closing": "" if speech is None else speech.closing,
+        "closing": "" if last is None else last.closing,
         "cut_site": group.cut.site,
         "cut_rule": _safe(group.cut.rule),
         "source_start": group.source[0],
         "source_end": group.source[1],
         "text": _safe(group.text),
     }
-
-
-def _first(events: Iterable[E]) -> dict[str, E]:
-    """The first event of each group."""
-    found: dict[str, E] = {}
-    for event in events:
-        if event.group is not None:
-            found.setdefault(event.group, event)
-    return found
 
 
 def _number(value: float | None) -> str:

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from scorebreath.score.document import Group, Score
-from scorebreath.score.events import Inspiration, Utterance
+from scorebreath.score.spoken import spoken_groups
 from scorebreath.units import snap
-
-FOR_SPEECH = ("speech", "gasp")
-"""Kinds of inspiration that speech may follow on."""
 
 
 class Row(NamedTuple):
@@ -65,30 +61,16 @@ class Breath:
 
 def breaths(score: Score, body: str) -> tuple[Breath, ...]:
     """The breath groups of one body that have a time, in order of time."""
-    inspirations: dict[str | None, list[Inspiration]] = {}
-    utterances: dict[str | None, list[Utterance]] = {}
-    for inspiration in score.of(Inspiration, body):
-        inspirations.setdefault(inspiration.group, []).append(inspiration)
-    for utterance in score.of(Utterance, body):
-        utterances.setdefault(utterance.group, []).append(utterance)
+    spoken = spoken_groups(score)
     found: list[Breath] = []
     for group in score.groups:
-        speech = utterances.get(group.id, [])
-        begins = min((each.onset for each in speech), default=math.inf)
-        breath = _for_speech(inspirations.get(group.id, []), begins)
-        if group.body != body or not (speech or breath):
+        own = spoken[group.id]
+        if group.body != body or own.onset is None:
             continue
-        onset = breath.onset if breath else begins
-        inspired = snap(breath.end) if breath else begins
-        end = max((snap(each.end) for each in speech), default=inspired)
-        found.append(Breath(onset=onset, end=end, inspired=inspired, group=group))
+        inspired = own.onset if own.inspiration is None else snap(own.inspiration.end)
+        end = inspired if own.end is None else snap(own.end)
+        found.append(Breath(onset=own.onset, end=end, inspired=inspired, group=group))
     return tuple(sorted(found, key=lambda each: each.onset))
-
-
-def _for_speech(inspirations: Sequence[Inspiration], begins: float) -> Inspiration | None:
-    """The last breath taken for what is said from `begins` on: a sigh or a sniff before it is not."""
-    taken = [each for each in inspirations if each.kind in FOR_SPEECH and each.onset < begins]
-    return max(taken, key=lambda each: each.onset, default=None)
 
 
 class Label(NamedTuple):

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from scorebreath.formats import groups_csv
 from scorebreath.score.document import CutReason, Group, Score
-from tests.curves.scores import Breath, build, score_of, without
+from tests.curves.acts import breathe_in, breathe_out
+from tests.curves.scores import Breath, build, score_of, utterance, without
 
 
 def rows(score: Score) -> list[dict[str, str]]:
@@ -40,6 +41,22 @@ def test_a_row_is_the_breath_group_of_b52() -> None:
     assert (first["syllables"], first["closing"], first["cut_site"], first["cut_rule"]) == (
         "16", "final", "sentence", "test",
     )  # fmt: skip
+
+
+def test_a_group_with_a_sigh_before_it_and_a_sniff_in_it() -> None:
+    """Its breath is the one for speech, its end that of the last word, its air what was left then."""
+    score = build([Breath(before=3.0, inspiration=0.6, after=0.06, speech=2.5)])
+    sigh = breathe_in(id="sigh", kind="sigh", onset=0.0, duration=1.0, group="g1")
+    out = breathe_out(id="out", kind="sigh", onset=1.0, duration=1.0, group="g1")
+    sniff = breathe_in(id="sniff", kind="sniff", onset=6.16, duration=0.3, group="g1")
+    more = dataclasses.replace(utterance(Breath(speech=1.0), 6.46, 0, id="more", group="g1"), closing="question")
+    spent = breathe_out(id="spent", onset=6.46, duration=1.0, from_volume=0.58, to_volume=0.31, group="g1")
+    events = (sigh, out, *(e for e in score.events if e.id != "g1.before"), sniff, more, spent)
+    (row,) = rows(dataclasses.replace(score, events=events))
+    assert (row["onset"], row["inspiration_onset"], row["speech_onset"]) == ("3.000000", "3.000000", "3.660000")
+    assert (row["end"], row["duration"], row["speech_duration"]) == ("7.460000", "4.460000", "3.800000")
+    assert (row["from_volume"], row["to_volume"], row["end_volume"]) == ("0.380000", "0.540000", "0.310000")
+    assert row["closing"] == "question"
 
 
 def test_missing_events_leave_empty_cells() -> None:
