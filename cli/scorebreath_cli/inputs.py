@@ -41,10 +41,11 @@ class Source:
 def read_source(given: str) -> Source:
     """Read an input and see what it is.
 
-    A folder is a take. What begins as a JSON object does is a Score, broken or not: no script begins so.
+    A folder is a take, or stands for the Score in it. What begins as a JSON object does is a Score, broken or not: no
+    script begins so.
 
     Raises:
-        InputError: It does not exist, or is a folder without a take.
+        InputError: It does not exist, or is a folder without a take and a Score.
         OSError: It may not be read.
     """
     if given == STANDARD:
@@ -52,10 +53,13 @@ def read_source(given: str) -> Source:
     path = Path(given)
     try:
         if path.is_dir():
-            if not (path / TAKE).is_file():
-                hint = f"; its score is {path / SCORE}" if (path / SCORE).is_file() else ""
-                raise InputError(f"{given}: is a folder without {TAKE}; expected a script, a score, or a take{hint}")
-            return Source(name=given, path=path, data=b"", kind="take")
+            if (path / TAKE).is_file():
+                return Source(name=given, path=path, data=b"", kind="take")
+            if not (path / SCORE).is_file():
+                raise InputError(
+                    f"{given}: is a folder without {TAKE} and {SCORE}; expected a script, a score, or a take"
+                )
+            path, given = path / SCORE, str(path / SCORE)
         if path.name == TAKE:
             return Source(name=given, path=path, data=b"", kind="take")
         with path.open("rb") as stream:

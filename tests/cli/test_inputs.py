@@ -30,9 +30,12 @@ def test_what_begins_as_json_is_a_score(tmp_path: Path, name: str, data: bytes, 
     assert read_source(str(tmp_path / name)).kind == kind
 
 
-def test_a_folder_is_a_take_or_nothing(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"without take\.jsonl"):
+def test_a_folder_is_a_take_or_the_score_in_it(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"without take\.jsonl and score\.json"):
         read_source(str(tmp_path))
+    (tmp_path / "score.json").write_text("{}")
+    inside = read_source(str(tmp_path))
+    assert (inside.kind, inside.path) == ("score", tmp_path / "score.json")
     (tmp_path / "take.jsonl").write_text("")
     assert read_source(str(tmp_path)).kind == "take"
     assert read_source(str(tmp_path / "take.jsonl")).kind == "take"
