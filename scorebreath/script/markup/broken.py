@@ -10,7 +10,7 @@ from scorebreath.script.markup.origin import Origin
 
 _EXPECTED = {
     "syntax error": "an SSML document: <speak> ... </speak>",
-    "no element found": "</speak> at the end",
+    "no element found": "an SSML document: <speak> ... </speak>",
     "not well-formed (invalid token)": "XML: &amp; for & and &lt; for <, values in quotes, tags closed by >",
     "unclosed token": "> or --> that closes it",
     "partial character": "text",

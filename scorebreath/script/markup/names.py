@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 from scorebreath.parameters.states import STATES
 from scorebreath.script.marks import Act, ActName, Mark, NamedMark, NoBreath, StateMark, VoiceMark
@@ -177,6 +177,7 @@ def _shorthand(name: str) -> Tag:
     return Tag(name=name, form=f"[{name} [INTENSITY] [over SECONDS] [hold]]", make=make)
 
 
+@lru_cache(maxsize=1024)
 def make(name: str, rest: str, written: str) -> Mark | str:
     """The mark of a tag, or what was expected instead.
 

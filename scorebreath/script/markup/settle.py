@@ -16,11 +16,12 @@ from scorebreath.script.marks import Mark
 
 _NEAR = 64
 """Code points that are looked at on either side of a tag."""
+_MOST = 64
+"""Marks that move together."""
 _CLOSING = re.compile(r"(?![:;][)(|])(?:[,.;!?…‥)\]}”’»\"'。，、！？；]{1,8}|:)(?=\s|\Z)")
 _STOPS = frozenset(",.;:")
-_OPENING = re.compile(r"(?:(?<=\s)|\A)[(\[{“„‘‚«»\"'¿¡]{1,8}\Z")
+_OPENERS = "([{“„‘‚«»\"'¿¡"
 _REST_OF_LINE = re.compile(rf"[^\S\n]{{0,{_NEAR}}}(?:\n|\Z)")
-_LINE_SO_FAR = re.compile(rf"(?:\A|\n)[^\S\n]{{0,{_NEAR}}}\Z")
 
 
 @dataclass(slots=True, kw_only=True)
@@ -59,10 +60,27 @@ class Settled:
         self.tail = self.tail[:-1]
         self.edits.append((self.taken, self.length - self.taken))
 
-    def mark(self, count: int, place: int, after: int | None = None) -> None:
-        """Put marks at a place, with those that stand behind `after` or further on than that."""
+    def fresh(self) -> bool:
+        """Whether nothing stands in the line so far."""
+        start = self.tail.rfind("\n") + 1
+        return not self.tail[start:].strip() and (start > 0 or self.length <= _NEAR)
+
+    def opening(self) -> int:
+        """How many quotes and brackets that open something are the last thing so far."""
+        if self.tail[-1:] not in _OPENERS:
+            return 0
+        before = self.tail.rstrip(_OPENERS)
+        whole = not before and len(self.tail) == self.length
+        return len(self.tail) - len(before) if whole or before[-1:].isspace() else 0
+
+    def crowded(self) -> bool:
+        """Whether so many marks stand here that moving them on again and again would take long."""
+        return len(self.places) > _MOST and self.places[-_MOST] >= self.length - 1
+
+    def mark(self, count: int, place: int, since: int | None = None) -> None:
+        """Put marks at a place, with those that stand at `since` or behind, or further on than it."""
         index = len(self.places)
-        while index and self.places[index - 1] > (place if after is None else after):
+        while index and self.places[index - 1] >= (place + 1 if since is None else since):
             index -= 1
             self.places[index] = place
         self.places += [place] * count
@@ -109,18 +127,19 @@ def _put(settled: Settled, bare: str, count: int) -> None:
     """Put marks at the end of what is settled."""
     at = settled.taken
     left, right = settled.tail[-1:], bare[at : at + 1]
-    if _LINE_SO_FAR.search(settled.tail) and (rest := _REST_OF_LINE.match(bare, at)):
+    fresh = settled.fresh()
+    if fresh and (rest := _REST_OF_LINE.match(bare, at)):
         settled.drop(rest.end())
         settled.mark(count, settled.length)
         return
-    opening = None if right in ("", "\n") else _OPENING.search(settled.tail)
-    if opening and left:
-        settled.mark(count, settled.length - len(opening.group()))
+    opening = 0 if right in ("", "\n") else settled.opening()
+    if opening:
+        settled.mark(count, settled.length - opening)
         if _is_space(right):
             settled.drop(at + 1)
         return
-    closing = _CLOSING.match(bare, at)
-    if closing and left and not _LINE_SO_FAR.search(settled.tail):
+    closing = None if fresh or right.isspace() or settled.crowded() else _CLOSING.match(bare, at)
+    if closing:
         if settled.tidy and _is_space(left) and settled.tail[-2:-1] in _STOPS and closing.group() in _STOPS:
             settled.drop(closing.end())  # "Well, [sigh], no": the second comma is the tag's
             settled.mark(count, settled.length)

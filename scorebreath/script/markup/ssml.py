@@ -155,7 +155,9 @@ class _Reader:
         elif inner.element.content == "text":
             inner.text.append(text)
         elif inner.element.content == "empty" and text.strip():
-            raise self._error(f"text inside <{inner.name}>", f"nothing: <{inner.name}/>")
+            tag = _TAG.match(self._data, inner.byte)
+            byte = tag.end() if tag else inner.byte  # expat is further on: it gathers text
+            raise self._error(f"text inside <{inner.name}>", f"nothing: <{inner.name}/>", byte=byte)
 
     def _end(self, _: str) -> None:
         inner = self._stack.pop()
