@@ -47,12 +47,6 @@ SOURCES: Mapping[str, Source] = MappingProxyType(
             "Fuchs, S., Petrone, C., Krivokapić, J., Hoole, P. (2013). Acoustic and respiratory evidence for utterance "
             "planning in German. Journal of Phonetics 41.",
         ),
-        "godde": Source(
-            "Godde 2021",
-            "Godde, E., Bailly, G., Bosse, M.-L. (2021). Pausing and breathing while reading aloud. Reading and "
-            "Writing, "
-            "10.1007/s11145-021-10168-z.",
-        ),
         "henderson": Source(
             "Henderson 1965",
             "Henderson, A., Goldman-Eisler, F., Skarbek, A. (1965). Temporal patterns of cognitive activity and breath "
