@@ -68,7 +68,7 @@ _ABOUT: Mapping[Kind, str] = {
 _RAMPS: Mapping[Kind, tuple[float, float, float]] = {
     "mouth": (0.15, 0.27, 0.18),
     "nose": (0.15, 0.27, 0.18),
-    "exhale": (0.15, 0.27, 0.18),
+    "exhale": (0.1, 0.15, 0.45),
     "sigh": (0.25, 0.25, 1.0),
     "gasp": (0.24, 0.12, 0.04),  # the end: at most 50 ms (physiology 3.3)
     "sniff": (0.05, 0.05, 0.08),

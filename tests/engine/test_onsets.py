@@ -9,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from scorebreath.chance import ENGINE_SEEDS
-from scorebreath.engine.onsets import GENERATORS, onsets, tract_scale
+from scorebreath.engine.breaths import tract_scale
+from scorebreath.engine.onsets import GENERATORS, onsets
 from scorebreath.errors import ScoreError
 from scorebreath.media.store import MemoryStore
 from scorebreath.score.events import Event
