@@ -10,8 +10,8 @@ one is still recovering. A way to be at a node, fresh or recovering, is a vertex
 and a plan costs the sum of its groups. A group never exceeds the breath, unless a single unit does.
 
 A vertex is open while a later group could still start from it in a cheapest plan. It closes when one breath no longer
-reaches the next unit from it, or when others are better starts whatever text comes; only starts of the same kind are
-compared. What the cheapest plans to all open vertices share can not change any more.
+reaches the next unit from it, or when others are better starts whatever text comes. What the cheapest plans to all open
+vertices share can not change any more.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from collections.abc import Sequence
 from math import inf
 
 from scorebreath.planning.sites import Boundary
-from scorebreath.planning.starts import RECOVERY, Start, extremes
+from scorebreath.planning.starts import Start, worst
 
 MARGIN = 1e-9
 """Costs nearer than this count as equal: sums of many terms are not exact."""
@@ -221,33 +221,39 @@ class Lattice:
     def _hopeless(self, vertex: int, plan: Sequence[int]) -> bool:
         """Whether wherever the next group ends, it had better start from a vertex of `plan` (newest first) than here.
 
-        From an earlier start, if one breath reaches that far; it passes all that is passed from here, and that many
-        more, and the group after it may have to recover. Else from a later one; what it does not pass yet only speaks
-        for it.
+        From an earlier start, as far as one breath reaches from there; else from a later one. What is passed at a cost
+        from a start grows alike for all once it has begun.
         """
-        length, total, node = self._length[vertex], self._total, self._node[vertex]
-        most, budget = len(length) - 1, self._starts[node].budget
-        unanswered = total[-1]
-        ahead = self._ahead[vertex]
-        earlier = next((other for other in plan if self._node[other] < node and self._length[other] is length), None)
-        if earlier is not None and ahead is not None:
-            other = self._ahead[earlier]
-            others, syllables = total[node] - total[self._node[earlier]], min(unanswered - total[node], most)
-            loss = ahead - (other if other is not None else inf) - RECOVERY - MARGIN
-            if others <= most and extremes(length, 1)[others][syllables] < loss:
-                unanswered = max(unanswered, total[self._node[earlier]] + most + 1)
+        node, total, newest = self._node[vertex], self._total, len(self)
+        body, tired, ahead = self._starts[node], self._recovering[vertex], self._ahead[vertex]
+        unanswered = total[newest] - total[node]
+        if ahead is not None:
+            for earlier in plan:
+                start, at = self._ahead[earlier], self._node[earlier]
+                if at < node and start is not None:
+                    others, there = total[node] - total[at], self._starts[at]
+                    if (
+                        worst(body, tired, there, self._recovering[earlier], others)[unanswered]
+                        < ahead - start - MARGIN
+                    ):
+                        unanswered = max(unanswered, there.most + 1 - others)
+                    break
         for later in plan:
             at = self._node[later]
             if at <= node:
                 return False
-            if self._length[later] is not length:
-                continue
-            syllables = unanswered - total[at]
-            if total[at] - total[node] + syllables > most:
+            if unanswered > body.most:
                 return True
-            passed = bisect_left(total, total[at] + budget, at + 1) - 1
-            here = self._best[vertex] if ahead is None else ahead + self._passed[passed]
-            if extremes(length, -1)[total[at] - total[node]][syllables] < here - self._best[later] - MARGIN:
+            others, there = total[at] - total[node], self._starts[at]
+            if ahead is not None:
+                ripe = bisect_left(total, total[at] + there.budget, at + 1)
+                here = ahead + self._passed[ripe - 1]
+            elif others + there.budget >= body.budget:
+                here = self._best[vertex]
+            else:
+                continue
+            dearer = worst(body, tired, there, self._recovering[later], -others)[unanswered]
+            if dearer < here - self._best[later] - MARGIN:
                 return True
         return False
 

@@ -29,7 +29,8 @@ class Habits:
     comma_clause: float
     """the same at a comma before a word that opens a clause"""
     clinging: float
-    """the same after a function word, which belongs to what follows: "the | house" """
+    """the same after a function word, which belongs to what follows: "the | house"; and inside a pair of compounds that
+    share a half: "pre- | and post-war", "Planung und | -bau" """
     variation: float
     """scale of the draws that make boundaries easier or harder, in the units of the costs"""
     unevenness: float
@@ -57,7 +58,7 @@ HABITS: Mapping[Style, Habits] = MappingProxyType(
             comma_clause=0.60,
             clinging=0.0002,
             variation=0.4,
-            unevenness=0.2,
+            unevenness=0.3,
             length=1.0,
             spread=0.65,
         ),
@@ -71,13 +72,13 @@ HABITS: Mapping[Style, Habits] = MappingProxyType(
                 "marker": 0.90,
                 "clause": 0.12,
                 "phrase": 0.05,
-                "word": 0.022,
+                "word": 0.025,
             },
             comma_clause=0.25,
             clinging=0.005,
             variation=1.0,
             unevenness=0.55,
-            length=1.1,
+            length=1.05,
             spread=0.5,
         ),
     }
@@ -86,8 +87,6 @@ PAUSE = (0.3, 0.90)
 """A pause from so many seconds on that the markup asks for is a place to breathe, as readily as at a marker."""
 JOINED = 1e-9
 """How probable a breath is inside a chain of joined words that is longer than a breath."""
-SUSPENDED = 0.0005
-"""The same inside a pair of compounds that share a half: "pre- | and post-war", "Planung und | -bau"."""
 FORBIDDEN = 1e4
 """What a breath costs where the markup forbids it: more than any other place. Only a stretch without any other place,
 longer than a breath, is cut there all the same."""
@@ -175,14 +174,14 @@ def _written(units: Sequence[Unit], index: int, small: FunctionWords, habits: Ha
     site = SITES[unit.edge]
     if "_" in unit.written[unit.letters.end - unit.start :] and readiness[site] < readiness["marker"]:
         site = "marker"
-    if unit.ends_line and readiness[site] < readiness["line"]:
-        return _boundary(site, readiness["line"])
     if site not in ("comma", "word") or index + 1 >= len(units):
         return _boundary(site, readiness[site])
     if site == "comma":
-        return _boundary(site, habits.comma_clause if _opens(units, index + 1, small) == "clause" else readiness[site])
+        ready = habits.comma_clause if _opens(units, index + 1, small) == "clause" else readiness[site]
+        either = 1.0 - (1.0 - ready) * (1.0 - readiness["line"])
+        return _boundary(site, either if unit.ends_line else ready)
     if _suspended(units, index, small):
-        return _boundary(site, SUSPENDED)
+        return _boundary(site, habits.clinging)
     if small.cling(_last(unit), _as_written(unit.words[-1])):
         return _boundary(site, habits.clinging)
     site = _opens(units, index + 1, small)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import ceil, exp, log
+from math import ceil, exp, inf, log
 
 from scorebreath.parameters.table import Parameters
 
@@ -95,7 +95,7 @@ def length_costs(preferred: float, most: int, volume: float, spread: float = SPR
 
     >>> costs = length_costs(18.0, 44, 0.009)
     >>> costs.index(min(costs)), round(costs[8], 2), round(costs[30], 2), round(costs[41], 2)
-    (16, 1.24, 0.93, 4.07)
+    (15, 0.43, 0.62, 3.23)
     """
     median = preferred * exp(-(spread**2) / 2.0)
     return [
@@ -158,27 +158,36 @@ def syllable_volume(p: Parameters) -> float:
     return p.volume_per_syllable * 100.0 / p.capacity_lung
 
 
-@lru_cache(maxsize=256)
-def extremes(length: tuple[float, ...], sign: int) -> list[list[float]]:
-    """How much more a group can cost with other syllables besides: [others][syllables], whatever is still added.
+@lru_cache(maxsize=8192)
+def worst(here: Start, here_recovering: bool, there: Start, there_recovering: bool, more: int) -> tuple[float, ...]:
+    """How much dearer a group can be if it begins at another place, whatever is still added to it.
 
     Args:
-        length: Cost of a group of n syllables, n = 0..most.
-        sign: 1 for what the longer group costs more, -1 for what the shorter one does.
+        here: Where it would begin.
+        here_recovering: Whether the body recovers there.
+        there: The other place.
+        there_recovering: The same there.
+        more: Syllables between: positive for an earlier place, negative for a later one.
 
     Returns:
-        Shape (most + 1, most + 1); -infinity where the longer one exceeds the breath.
+        For each n, the most over groups of n syllables or more from `here` (and the group after it, if only a group
+        from `there` tires); shape (here.most + 2,). An earlier place counts as far as one breath reaches from there;
+        a later one that does not reach far enough is infinitely dearer; -infinity where there is no such group.
 
-    >>> extremes((9.0, 4.0, 1.0, 0.0, 2.0), -1)[1]
-    [5.0, 3.0, 1.0, -2.0, -inf]
-    >>> extremes((9.0, 4.0, 1.0, 0.0, 2.0), 1)[1]
-    [2.0, 2.0, 2.0, 2.0, -inf]
+    >>> one = start(5.0, 9, 0.01)
+    >>> [round(cost, 2) for cost in worst(one, False, one, False, -1)[-3:]], worst(one, False, one, False, 9)[1]
+    ([-0.19, -0.21, -inf], -inf)
     """
-    most = len(length) - 1
-    rows = [[float("-inf")] * (most + 1) for _ in length]
-    for others, row in enumerate(rows):
-        extreme = float("-inf")
-        for syllables in range(most - others, -1, -1):
-            extreme = max(extreme, sign * (length[syllables + others] - length[syllables]))
-            row[syllables] = extreme
-    return rows
+    ours, theirs = here.length(here_recovering), there.length(there_recovering)
+    row = [-inf] * (here.most + 2)
+    for n in range(here.most, 0, -1):
+        other = n + more
+        if other < 1:
+            row[n] = inf
+        elif other > there.most:
+            row[n] = row[n + 1] if more > 0 else inf
+        else:
+            tires = RECOVERY if other > there.much and n <= here.much else 0.0
+            row[n] = max(row[n + 1], theirs[other] - ours[n] + tires)
+    row[0] = row[1]
+    return tuple(row)

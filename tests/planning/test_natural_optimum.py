@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterator
+from dataclasses import replace
 from importlib.resources import files
 from itertools import combinations
 from math import log
@@ -17,7 +18,7 @@ from scorebreath.planning import natural
 from scorebreath.planning.lattice import Lattice
 from scorebreath.planning.model import BreathGroup, plan
 from scorebreath.planning.natural import Natural
-from scorebreath.planning.sites import FORBIDDEN, HABITS, SUSPENDED, Boundary, FunctionWords, boundary, function_words
+from scorebreath.planning.sites import FORBIDDEN, HABITS, Boundary, FunctionWords, boundary, function_words
 from scorebreath.planning.starts import Start, most_syllables, start
 from scorebreath.planning.syllables import vowel_counter
 from scorebreath.planning.units import Unit, UnitReader
@@ -244,11 +245,11 @@ def test_a_pair_of_compounds_that_share_a_half_is_not_parted(text: str, language
     for place in (index, index + 1):
         actual = boundary(found, place, function_words(language))
         assert actual.site == "word"
-        assert actual.breathing == pytest.approx(-log(SUSPENDED))
+        assert actual.breathing == pytest.approx(-log(READING.clinging))
     plain = text.replace("-", "").replace("\N{HYPHEN}", "").replace("\N{EN DASH}", "")
     found = [unit for sentence in read(plain, language=language).sentences for unit in reader.read(sentence)]
     bare = boundary(found, index, function_words(language))
-    assert bare.breathing < -log(SUSPENDED) or before.lower() in ("vor", "mittel")
+    assert bare.breathing < -log(READING.clinging) or before.lower() in ("vor", "mittel")
 
 
 @pytest.mark.parametrize(
@@ -309,14 +310,16 @@ def test_verse_is_breathed_at_line_ends() -> None:
     assert boundary(verse, 0, function_words("en")).breathing < comma.breathing
 
 
-def test_settling_early_does_not_change_the_plan_of_a_long_paragraph() -> None:
+def test_settling_early_does_not_change_the_plan_of_a_long_paragraph(monkeypatch: pytest.MonkeyPatch) -> None:
     """Many breaths of text with punctuation: the bounded window never has to force a cut."""
     sentence = (
         "The old man went down to the harbour, where the boats lay, and looked at the sea; then he went home again. "
     )
     text = (sentence + "He slept. " + sentence.replace("harbour", "long and quiet beach")) * 12
+    even = replace(READING, variation=0.0, unevenness=0.0, length=1.0)
+    monkeypatch.setattr(natural, "HABITS", {"reading": even})
     planner = Natural(Parameters(), "en", vowel_counter)
-    whole = Lattice(start(18.0, 44, 0.009))
+    whole = Lattice(start(18.0, 44, 0.009, spread=even.spread))
     everything = units(text)
     for index, unit in enumerate(everything):
         whole.add(unit.syllables, boundary(everything, index, function_words("en")))

@@ -14,8 +14,8 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.planning.chunker import MOST_CANDIDATES
 from scorebreath.planning.explain import explain
 from scorebreath.planning.model import BreathGroup, plan
-from scorebreath.planning.starts import most_syllables
 from scorebreath.planning.planners import PLANNERS, open_planner
+from scorebreath.planning.starts import most_syllables
 from scorebreath.planning.syllables import vowel_counter
 from tests.planning.written import at_once, sentences, windows
 
