@@ -72,7 +72,7 @@ def say_as(kind: Interpretation, text: str, form: str, language: str) -> str | t
     if len(text) <= LONGEST:
         try:
             said = kind.say(plain(text), form, tables(re.split("[-_]", language)[0].lower()))
-        except NotImplementedError:  # num2words does not know the language: the voice will
+        except RuntimeError:  # num2words does not know the language, or such numbers in it: the voice will
             said = text
     return (f"say-as of {shortened(text, 40)!r}", kind.expected) if said is None else said
 
