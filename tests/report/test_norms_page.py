@@ -7,16 +7,19 @@ import io
 import re
 import subprocess
 from pathlib import Path
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from scorebreath.report.norms import norms
 from scorebreath.report.norms.page import write_page
-from scorebreath.report.norms.plots import FOOT, HEIGHT, WIDTH, ticks
+from scorebreath.report.norms.plots import FOOT, HEIGHT, WIDTH, plot, ticks
+from scorebreath.report.norms.row import Row
+from scorebreath.report.norms.row import result as result_of
 from scorebreath.report.norms.sources import SOURCES
 from scorebreath.report.norms.table import ROWS
 from scorebreath.score.document import Score
@@ -166,3 +169,23 @@ def test_a_browser_shows_every_row(chromium: str, tmp_path: Path) -> None:
     dom = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True).stdout
     assert len(re.findall(r"<article ", dom)) == len(ROWS)
     assert len(re.findall(r"<svg ", dom)) > 20
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.sampled_from(ROWS), st.data())
+def test_any_values_can_be_drawn(row: Row, data: st.DataObject) -> None:
+    """Also numbers that no body has: huge, equal to the last bit, or nearly so."""
+    numbers = st.floats(-1e9, 1e9) | st.sampled_from([0.0, 1.0, 1e9, 1e9 - 1e-7, -1e9, 1e-9])
+    count = data.draw(st.integers(1, 60))
+    if row.kind == "relation":
+        values = np.array(data.draw(st.lists(st.tuples(numbers, numbers), min_size=count, max_size=count)))
+    elif row.kind in ("share", "sites"):
+        top = len(row.labels) - 1 if row.labels else 1
+        values = np.array(data.draw(st.lists(st.integers(0, top), min_size=count, max_size=count)), dtype=np.float64)
+    else:
+        values = np.array(data.draw(st.lists(numbers, min_size=count, max_size=count)))
+    material = SimpleNamespace(who=norms(person(1)).who)
+    drawn = plot(result_of(dataclasses.replace(row, measure=lambda _: values), material))  # type: ignore[arg-type]
+    if drawn:
+        assert not re.search(r"nan|inf", drawn.partition(">")[2])
+        ElementTree.fromstring(drawn)

@@ -225,7 +225,7 @@ FIGURE = {
 }  # fmt: skip
 ABOUT = {
     "body", "style", "model", "age", "posture", "loudness", "route", "vital_capacity", "resting_volume", "states",
-    "duration", "groups",
+    "duration", "groups", "heard",
 }  # fmt: skip
 
 
@@ -303,3 +303,8 @@ def test_a_score_of_other_breaths_is_measured_too() -> None:
     found = norms(person([Breath(nose=1.0, mouth=0.0)] * 6))
     assert (found.who.route, norms(person([Breath(nose=0.0, mouth=1.0)])).who.route) == ("nose", "mouth")
     assert norms(person([Breath(nose=0.6, mouth=0.4)])).who.route == "both"
+
+
+def test_a_score_of_thirty_years_takes_no_longer() -> None:
+    score = dataclasses.replace(person(12), duration=1e9)
+    assert norms(score).values["continuity"] == pytest.approx(norms(person(12)).values["continuity"], abs=1e-6)

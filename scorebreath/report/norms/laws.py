@@ -10,6 +10,8 @@ from scorebreath.curves.curve_set import CurveSet
 
 FRAME = 0.02
 """s between two frames in which the curves' laws are looked at; also at half of it."""
+LONGEST = 86_400.0
+"""s; of a longer Score the first day is looked at."""
 BLOCK = 1 << 17
 """Frames at once."""
 
@@ -41,7 +43,7 @@ def laws(curves: CurveSet, duration: float, resting: float, capacity: float) -> 
         capacity: Vital capacity, L.
     """
     half = FRAME / 2.0
-    frames = 2 * int(np.ceil(max(duration, FRAME) / FRAME))
+    frames = 2 * int(np.ceil(min(max(duration, FRAME), LONGEST) / FRAME))
     error = excursion = whole = halved = 0.0
     over = 0.0
     for first in range(-4, frames + 4, BLOCK):

@@ -30,6 +30,8 @@ EXPONENT = 1.66
 """Amplitude goes with flow to this power, where a noise's envelope is `flow` (physiology 3.1)."""
 HALF = float(2.0 / np.pi * np.arcsin(0.5 ** (1.0 / EXPONENT)))
 """Share of a `flow` ramp after which it is half as loud as it gets."""
+LONGEST = 60.0
+"""s of one breath, or of one utterance, that are listened to."""
 SHORTEST = 0.02
 """s of a breath that are listened to; shorter ones tell nothing."""
 
@@ -99,7 +101,8 @@ def core(event: Inspiration) -> tuple[float, float] | None:
         return None
     begin = event.onset + noise.onset
     ramp = HALF if noise.envelope == "flow" else 1.0
-    return begin + ramp * noise.attack, begin + noise.duration - ramp * noise.release
+    start = begin + ramp * noise.attack
+    return start, min(begin + noise.duration - ramp * noise.release, start + LONGEST)
 
 
 def speech_level(score: Score, body: str | None = None) -> float | None:
@@ -144,7 +147,7 @@ def _opened(sound: Path | Samples, rate: float | None) -> Iterator[Sound]:
 def _speech_in(sound: Sound, score: Score, body: str) -> float | None:
     """Active level of the speech in a sound, dB re full scale; where there is none, as the Score tells it."""
     said = _spread(list(score.of(Utterance, body)), MOST)
-    steps = [level_db(sound.read(each.onset, each.end), sound.rate) for each in said]
+    steps = [level_db(sound.read(each.onset, min(each.end, each.onset + LONGEST)), sound.rate) for each in said]
     level = _active([step[step > FLOOR_DB] for step in steps])
     return speech_level(score, body) if level is None else level
 

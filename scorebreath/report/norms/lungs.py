@@ -138,7 +138,7 @@ ROWS: tuple[Row, ...] = (
         measure=lambda m: _law(m, "sum_error"),
         measured="largest |thorax_volume + abdomen_volume - (lung_volume - resting level)|, of the largest excursion "
                  "from "
-                 "rest, in every frame of 10 ms",
+                 "rest, in every frame of 10 ms of the first day",
         figures=(Figure(of="value", source="scorebreath", mark="E", high=1.0, note="acceptance window"),),
     ),
     Row(

@@ -67,9 +67,9 @@ def _limits(result: Result, values: Array) -> tuple[float, float]:
             continue
         ends = figure.range or ()
         marks += [end for end in (*ends, figure.mean) if end is not None and np.isfinite(end)]
-    low, high = min(marks), max(marks)
-    room = 0.06 * (high - low) or max(abs(low) * 0.1, 10.0**-result.row.digits)
-    return low - room, high + room
+    low, high, finest = min(marks), max(marks), 10.0**-result.row.digits
+    room = 0.06 * (high - low) if high - low > 1e-6 * max(abs(low), abs(high)) else max(abs(low) * 0.1, finest)
+    return low - max(room, finest / 10.0), high + max(room, finest / 10.0)
 
 
 def _axis(x: Scale, low: float, high: float) -> str:
@@ -199,7 +199,7 @@ def _cloud(result: Result) -> str:
     """Pairs as points, and the line that fits them best."""
     pairs = result.values[:: max(1, -(-len(result.values) // DOTS))]
     (left, bottom), (right, top) = result.values.min(axis=0), result.values.max(axis=0)
-    wide, tall = (right - left) or 1.0, (top - bottom) or 1.0
+    wide, tall = (max(span, 1e-3, 1e-6 * abs(end)) for span, end in ((right - left, right), (top - bottom, top)))
     low, high = float(left - 0.06 * wide), float(right + 0.06 * wide)
     x = _scale(low, high)
 

@@ -40,8 +40,10 @@ class ArraySound:
             rate: Hz.
 
         Raises:
-            InputError: They have more dimensions, or are not finite.
+            InputError: They are no floats, have more dimensions, or are not finite.
         """
+        if not np.issubdtype(samples.dtype, np.floating):
+            raise InputError(f"samples of {samples.dtype}: expected floats, full scale 1")
         if samples.ndim not in (1, 2):
             raise InputError(f"samples with {samples.ndim} dimensions: expected (n,) or (n, channels)")
         if not np.all(np.isfinite(samples)):

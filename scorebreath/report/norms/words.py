@@ -157,6 +157,7 @@ def _figure(compared: Compared) -> dict[str, Any]:
 
 def about(found: Norms) -> dict[str, Any]:
     """Who breathes, for programs; the keys are stable."""
+    heard = found.heard
     return {
         "body": found.body,
         "style": found.who.style,
@@ -170,6 +171,9 @@ def about(found: Norms) -> dict[str, Any]:
         "states": list(found.states),
         "duration": found.duration,
         "groups": found.groups,
+        "heard": None
+        if heard is None
+        else {"sample_rate": heard.sample_rate, "seconds": heard.seconds, "alone": heard.alone},
     }
 
 
@@ -184,7 +188,13 @@ def about_said(found: Norms) -> list[str]:
         f"{who.posture}, vital capacity {number(found.person.vital_capacity, 2)} L",
         {"both": "breaths through nose and mouth"}.get(who.route, f"breaths through the {who.route}"),
     ]
-    return facts + ([f"states: {', '.join(found.states)}"] if found.states else [])
+    if found.states:
+        facts.append(f"states: {', '.join(found.states)}")
+    if found.heard is None:
+        facts.append("not listened to")
+    elif found.heard.alone:
+        facts.append("breaths rendered to be listened to")
+    return facts
 
 
 def summary(found: Norms) -> str:
