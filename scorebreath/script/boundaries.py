@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from scorebreath.script import emoticons
 from scorebreath.script.normalise.figures import has_figures
+from scorebreath.script.normalise.numbers import is_number_word
 from scorebreath.script.normalise.tables import Tables, tables
 
 END = re.compile(r"(?<![.!?FeZ\"')_])[.!?FeZ\"')_]++")
@@ -30,6 +31,7 @@ _PLAIN_MARKS = re.compile(r"[\"')]*(?:\.|[!?]+)[\"')]*")
 _CAPITAL = re.compile(r"[ n][(\"']?a")
 _SMALL = re.compile(r"(?<![^\s\"'“”‘’„»«(-])[^\W\d_]{2,}(?=[^\w\s]*$)")
 _WORD = re.compile(r"[^\W\d_]+")
+_NUMBER_WORD = re.compile(r"[^\W\d_]+\Z")
 _LAST_WORD = re.compile(r"(?:(?<!\w)[^\W\d_]\.\s)*[^\W\d_]+(?:\.[^\W\d_]+)*$")
 _INITIAL = re.compile(r"\s([^\W\d_]{1,3})\.")
 _NEXT = re.compile(r"[^adk]*")
@@ -116,7 +118,7 @@ def _stands(text: str, kinds: str, start: int, end: int, language: str) -> bool:
         return True
     table, word = tables(language), _last_word(text, start)
     if word in table.never_last:
-        return False
+        return _measures(text, start, word, table) and _starter(text, end, table)
     initial = _INITIAL.match(text, end)
     if initial and f"{word}.{initial[1].lower()}" in table.beginnings:
         return False
@@ -129,7 +131,11 @@ def _stands(text: str, kinds: str, start: int, end: int, language: str) -> bool:
 
 def _measures(text: str, stop: int, word: str, table: Tables) -> bool:
     """Whether the word before a full stop is a unit behind a number: "2 in. tall", but not "He was in. then"."""
-    return word in table.measures and has_figures(text[: stop - len(word)].rstrip()[-1:], table)
+    if word not in table.measures:
+        return False
+    before = text[max(0, stop - len(word) - 32) : stop - len(word)].rstrip()
+    number = _NUMBER_WORD.search(before)
+    return has_figures(before[-1:], table) or (number is not None and is_number_word(number.group(), table.language))
 
 
 def _missed(text: str, start: int, end: int, language: str) -> bool:
@@ -138,13 +144,20 @@ def _missed(text: str, start: int, end: int, language: str) -> bool:
     As in "usw. Der Rest" and "Vitamin C. It helps".
     """
     table = tables(language)
-    following = _WORD.search(text, end)
-    if not table.known or text[start:end] != "." or following is None:
+    if not table.known or text[start:end] != ".":
         return False
     word = _last_word(text, start)
     if word not in table.lists["often_last"] and not text[max(0, start - 2) : start].strip("([\"'“„").isupper():
         return False
-    return following.group() in table.lists["starters"] and text[following.end() : following.end() + 1] != "."
+    return _starter(text, end, table)
+
+
+def _starter(text: str, end: int, table: Tables) -> bool:
+    """Whether a word follows that starts sentences."""
+    following = _WORD.search(text, end)
+    if following is None or text[following.end() : following.end() + 1] == ".":
+        return False
+    return following.group() in table.lists["starters"]
 
 
 def _last_word(text: str, end: int) -> str:

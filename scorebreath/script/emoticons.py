@@ -33,6 +33,9 @@ _PATTERN = re.compile(
     >?[:;]-[)(|<oO?/\\DPp]            (?![^\W_])  # :-)   >:-<   :-o
     | (?<!\S) >?\ ?[:;]\ ?-\ ?[)(|<oO] (?![^\W_])  # : - )   :- )   > : - <
     | (?<!\S) [:;=][)(|DPp]           (?![^\W_])  # :)   ;)   :D
+    | (?<!\S) \(-?[:;=]               (?![^\s.,!?])  # (:   (-:
+    | (?<!\S) [xX]D{{1,4}}            (?![^\W_])  # XD
+    | (?<!\S) (?: ([oOTuUxX^.;*-])_{{1,3}}(?i:\1) | >_{{1,3}}< ) (?![^\s.,!?])  # o_O   -_-
     | (?<!\S) (?: (?<!\d[ ]) | (?<=<3[ ]) | (?<=<33[ ]) )   # <3   </3   <3 <3, but 5 <3, x <3, in <3 days, <3 %
       (?<!\b[a-hj-tv-z][ ]) (?: (?<![\w,][ ]) | (?<=\b[Ii][ ]) | (?! <3[ ](?i:{_MEASURED})\b) )
       </?3{{1,4}} (?! \w | [.,:]\d | [-–]\d | [ ]?[%‰°€$£+*/=] )
@@ -51,7 +54,10 @@ def possible(text: str) -> bool:
     >>> possible("Hi <3"), possible("Hi there.")
     (True, False)
     """
-    return "-" in text or ":" in text or ";" in text or "=" in text or "<" in text
+    return _SIGN.search(text) is not None
+
+
+_SIGN = re.compile("[-:;=<_]|[xX]D")
 
 
 def spans(text: str, start: int = 0, end: int | None = None) -> Iterator[Span]:

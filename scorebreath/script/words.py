@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from scorebreath.script import emoticons, telephone
+from scorebreath.script.items import items
 from scorebreath.script.kinds import kinds as kinds_of
 from scorebreath.script.model import Edge
 from scorebreath.spans import Span
@@ -29,9 +30,12 @@ _CORE = re.compile(
 )
 _HYPHEN = re.compile(r"(?<=[adm])[-N](?=[ad])|(?<=S)[-N](?=a)")
 _RANGE = re.compile(r"[dS][-N][dS]")
+_POWER = re.compile(r"(?<![\w.,])[0-9]+(?:[.,][0-9]+)?[eE][+\u2212\u2010\u2011-][0-9]{1,3}(?!\w)")
 _LINK = re.compile(r"(?:https?://|www\.)[^\s<>\"“”]+")
 _LINK_TAIL = re.compile(r"[^adkm/]+$")
 _PIECE = re.compile(rf"(?:.{{1,{LONGEST}}}(?!m)|.{{{LONGEST}}}m*)", re.DOTALL)
+_BELOW_ITEM: frozenset[Edge] = frozenset(("comma", "line", "marker", "word", "joint"))
+"""Edges weaker than what an item of a list begins with."""
 _MARK = re.compile(r"[.!?;:,eFMN_)-]")
 _LEAD = re.compile(r"[^ n]*$")
 _OPENING = re.compile(r"[(\"]+$")
@@ -106,6 +110,7 @@ def cut(text: str, gap: str, start: int, *, poem: bool, apart: Sequence[int] = (
     lead = line = place = 0
     opened = False
     lines = "\n" in text
+    begun = items(text).newlines if lines else []
     for index, core in enumerate(cores):
         first, stop = core
         last = index == len(cores) - 1
@@ -113,6 +118,8 @@ def cut(text: str, gap: str, start: int, *, poem: bool, apart: Sequence[int] = (
         between = shown[stop:limit]
         edge, mark = _edge(between.replace(")", "", 1) if opened else between, poem)
         opened = between == "("  # "engineer(s)": brackets inside a word
+        if begun and edge in _BELOW_ITEM and bisect_left(begun, stop) < bisect_left(begun, min(limit, len(text))):
+            edge, mark = "semicolon", mark or ","
         end, following = (len(text), limit) if last else _hang(between, stop)
         bare = between == " " and not last
         if lines:
@@ -142,8 +149,11 @@ def cut(text: str, gap: str, start: int, *, poem: bool, apart: Sequence[int] = (
 
 
 def _cover(text: str, kinds: str, poem: bool, apart: Sequence[int]) -> str:
-    """Kinds with emoticons made spaces, links letters, and telephone numbers figures."""
+    """Kinds with emoticons and bullets made spaces, links letters, telephone numbers and powers of ten figures."""
     shown = kinds
+    if "\n" in text:
+        for span in items(text).bullets:
+            shown = shown[: span.start] + " " * span.length + shown[span.end :]
     if emoticons.possible(text):
         for span in emoticons.spans(text):
             shown = shown[: span.start] + " " * span.length + shown[span.end :]
@@ -154,6 +164,8 @@ def _cover(text: str, kinds: str, poem: bool, apart: Sequence[int]) -> str:
                 stop = tail.start()
             shown = shown[: match.start()] + "a" * (stop - match.start()) + shown[stop:]
     if "d" in shown:
+        for match in _POWER.finditer(text):
+            shown = shown[: match.start()] + "d" * len(match.group()) + shown[match.end() :]
         for span in telephone.spans(text):
             within = span.cut(shown)
             parted = bisect_right(apart, span.start) < bisect_left(apart, span.end)

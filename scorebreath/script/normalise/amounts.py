@@ -69,6 +69,7 @@ def _rules(language: str) -> tuple[tuple[re.Pattern[str], Rule], ...]:
             (r"#(?P<number>\d+)", _numbered),
             (r"(?P<number>\d{1,3}(?:,\d{3})*)(?:st|nd|rd|th)", suffixed),
             (r"'?(?P<number>\d{2}|\d{4})'?(?P<ending>s|ern?)", decade),
+            (rf"(?P<number>{number})[eE](?P<sign>[+-])(?P<power>\d{{1,3}})", _power),
             (rf"(?P<left>{number})(?P<sign>\D?)-(?P<right>\S+)", _range),
             (r"(?P<sign>[+§±≈≤≥√@=~-]+)(?P<rest>\.?\d\S*)", _signed),
             (r"(?P<number>\d{1,3})", _spaced_thousands),
@@ -122,6 +123,14 @@ def _numbered(match: re.Match[str], context: Context) -> Said | None:
     """#1."""
     settings = context.tables.settings
     return context.one(f"{settings['number']} {whole(match['number'], context.tables.language)}")
+
+
+def _power(match: re.Match[str], context: Context) -> Said | None:
+    """1e-3."""
+    tables = context.tables
+    sign = f"{tables.settings['minus']} " if match["sign"] == "-" else ""
+    power = f"{tables.symbol['×']} {cardinal(10, tables.language)} {tables.symbol['^']}"
+    return context.one(f"{amount(match['number'], tables)} {power} {sign}{whole(match['power'], tables.language)}")
 
 
 def _range(match: re.Match[str], context: Context) -> Said | None:

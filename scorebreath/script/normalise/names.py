@@ -6,7 +6,7 @@ import re
 
 from scorebreath.script.normalise.context import Context, Part, Said
 from scorebreath.script.normalise.figures import has_figures, unit_of
-from scorebreath.script.normalise.numbers import cardinal, ordinal
+from scorebreath.script.normalise.numbers import cardinal, is_number_word, ordinal
 from scorebreath.spans import Span
 
 _CAPITALS = re.compile(r"([A-Z]{2,5})('?s)?")
@@ -37,11 +37,11 @@ def _unit(context: Context) -> Said | None:
     if not index or not context.words[index - 1].spaced:
         return None if context.word.text.isalpha() else context.one(unit[1])
     amount = context.words[index - 1].text
-    if not has_figures(amount[-1:], tables):
+    counted = context.inner_stop and is_number_word(amount, tables.language)
+    if not has_figures(amount[-1:], tables) and not counted:
         return None
-    return context.one(
-        unit[0] if amount in ("1", "-1", "+1") or amount in tables.fraction else unit[1], stop=context.inner_stop
-    )
+    single = amount in ("1", "-1", "+1") or amount in tables.fraction or amount.lower() == cardinal(1, tables.language)
+    return context.one(unit[0] if single else unit[1], stop=context.inner_stop)
 
 
 def _phrase(context: Context) -> Said | None:

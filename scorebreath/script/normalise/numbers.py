@@ -47,6 +47,22 @@ def whole(figures: str, language: str) -> str:
     return cardinal(int(figures), language)
 
 
+def is_number_word(word: str, language: str) -> bool:
+    """Whether a word alone is a number up to a hundred, or ends one with a hyphen in it: `two`, `zwanzig`.
+
+    >>> is_number_word("Forty", "en"), is_number_word("came", "en")
+    (True, False)
+    """
+    return word.lower() in _number_words(language)
+
+
+@lru_cache(maxsize=8)
+def _number_words(language: str) -> frozenset[str]:
+    """The last words of numbers up to a hundred, a thousand, and a million."""
+    numbers = (*range(101), 1000, 1_000_000)
+    return frozenset(cardinal(number, language).lower().replace("-", " ").split()[-1] for number in numbers)
+
+
 def _say(number: int, language: str, kind: str) -> str:
     """What num2words says."""
     import num2words
