@@ -15,7 +15,7 @@ from scorebreath.planning.assemble import SITES
 from scorebreath.planning.units import Unit, dividing, forbids
 from scorebreath.score.document import Site
 from scorebreath.script.marks import Act
-from scorebreath.script.model import ScriptWord
+from scorebreath.script.model import Edge, ScriptWord
 
 Style = Literal["reading", "spontaneous"]
 
@@ -70,19 +70,23 @@ HABITS: Mapping[Style, Habits] = MappingProxyType(
                 "comma": 0.20,
                 "line": 0.10,
                 "marker": 0.90,
-                "clause": 0.12,
-                "phrase": 0.05,
-                "word": 0.025,
+                "clause": 0.10,
+                "phrase": 0.04,
+                "word": 0.015,
             },
             comma_clause=0.25,
-            clinging=0.005,
-            variation=1.0,
+            clinging=0.001,
+            variation=1.4,
             unevenness=0.55,
-            length=1.05,
+            length=1.08,
             spread=0.5,
         ),
     }
 )
+INSIDE: frozenset[Edge] = frozenset({"word", "joint", "line"})
+"""Edges without punctuation."""
+NEAR = (0.1, 0.35)
+"""x readiness inside a sentence, one and two words from punctuation: nobody breathes before the last word of all."""
 PAUSE = (0.3, 0.90)
 """A pause from so many seconds on that the markup asks for is a place to breathe, as readily as at a marker."""
 JOINED = 1e-9
@@ -174,6 +178,8 @@ def _written(units: Sequence[Unit], index: int, small: FunctionWords, habits: Ha
     site = SITES[unit.edge]
     if "_" in unit.written[unit.letters.end - unit.start :] and readiness[site] < readiness["marker"]:
         site = "marker"
+    if site == "line" and small.cling(_last(unit), _as_written(unit.words[-1])):
+        return _boundary(site, readiness["clause"])
     if site not in ("comma", "word") or index + 1 >= len(units):
         return _boundary(site, readiness[site])
     if site == "comma":
@@ -185,7 +191,16 @@ def _written(units: Sequence[Unit], index: int, small: FunctionWords, habits: Ha
     if small.cling(_last(unit), _as_written(unit.words[-1])):
         return _boundary(site, habits.clinging)
     site = _opens(units, index + 1, small)
-    return _boundary(site, readiness[site])
+    return _boundary(site, readiness[site] * _near(units, index))
+
+
+def _near(units: Sequence[Unit], index: int) -> float:
+    """How much less ready a place is that lies shortly before or behind punctuation, or the beginning of `units`."""
+    for distance, factor in enumerate(NEAR, 1):
+        ahead = units[index + distance].edge not in INSIDE if index + distance < len(units) else False
+        if ahead or index - distance < 0 or units[index - distance].edge not in INSIDE:
+            return factor
+    return 1.0
 
 
 def _opens(units: Sequence[Unit], index: int, small: FunctionWords) -> Site:
