@@ -18,7 +18,7 @@ LONGEST = 64
 
 _CORE = re.compile(
     r"""
-    (?: (?<![-Nad_])[-N](?=S{0,4}\.?d) )? (?: (?<![^ n("]) p(?=\.?d) )? S{0,4}   # minus, about, currency, #
+    (?: (?<![-Nad_.])[-N](?=S{0,4}\.?d) )? (?: (?<![^ n("]) p(?=\.?d) )? S{0,4}   # minus, about, currency, #
     (?: (?<![^ n("NSp-]) \.(?=d) )?                 # .5
     [ad] (?: [adm] | S | ['./&@_N-](?=S?[ad]) | (?<=d)[,:p](?=d) )*
     | km*

@@ -96,7 +96,10 @@ def test_poem_is_found_out_or_told() -> None:
 
 @pytest.mark.parametrize(
     "emoticon",
-    [":-)", ";-)", ":-(", ">:-<", ":-o", ":-|", ":-?", ": - (", "; - )", ":- )", ":)", ":D", "<3", "</3", "<333"],
+    [
+        *(":-)", ";-)", ":-(", ">:-<", ":-o", ":-|", ":-?", ": - (", "; - )", ":- )", ":)", ":D", "<3", "</3", "<333"),
+        *("XD", "xD", "XDD", "(:", "(-:", "o_O", "O_o", "-_-", "^_^", "T_T", ">_<", "u__u"),
+    ],
 )
 def test_emoticons_are_silent_and_end_nothing(emoticon: str) -> None:
     """A11: not spoken, no punctuation."""
@@ -132,6 +135,8 @@ def test_what_only_looks_like_a_heart_is_mathematics(text: str, spoken: str) -> 
 def test_what_only_looks_like_an_emoticon_is_read() -> None:
     assert shown("these: (a) b") == "these:semicolon a:semicolon b:paragraph"
     assert [word.text for word in words("list:-only these")] == ["list", "only", "these"]
+    assert [word.text for word in words("XDR a_b x_0 (a) _ so")] == ["XDR", "a_b", "x_0", "a", "so"]
+    assert shown("and _ so") == "and:marker so:paragraph"
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,8 @@ from scorebreath.script.reader import read
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 ENGLISH = [
+    "He is two in. tall and five ft. wide, or forty-five in. at most.| So he is.",
+    "He came in.| then he left.",
     "Hello World.| My name is Jonas.",
     "What is your name?| My name is Jonas E. Smith.",
     "There it is!| I found it.",
@@ -52,6 +54,8 @@ ENGLISH = [
     "So did J. I. Smith and A. The.",
 ]
 GERMAN = [
+    "Es dauert 2 Min.| Dann geht es.",
+    "Das dauert 2 Min. Pause, min. zwei.",
     "Er kam am 3. Mai.| Dann ging er z.B. nach Hause.",
     "„Ich bin da.| Wo bist du?“, fragte Prof. Dr. Meier.",
     "Das sind ca. 5 Mio. Euro bzw. mehr usw.| Der Rest folgt.",

@@ -11,6 +11,10 @@ from scorebreath.script.reader import read
 from scorebreath.spans import Span
 
 ENGLISH = """
+it was 1e-3 = it was one times ten to the power of minus three
+a 2.5E−6 or 1e+10 = a two point five times ten to the power of minus six or one times ten to the power of ten
+two in. tall, one in. wide, forty-five in. at most = two inches tall, one inch wide, forty-five inches at most
+at 7:30 p.m. or 7.30 a.m. and 9 a.m.-5 p.m. daily = at seven thirty P.M or seven thirty A.M and nine A.M five P.M daily
 007 agents = zero zero seven agents
 1,000,000 people = one million people
 3.14 and 0.5 = three point one four and zero point five
@@ -74,6 +78,7 @@ at +5 (10) 20 = at plus five, ten, twenty
 50 000 at US$30 in room 5 100 = fifty thousand at thirty U.S dollars in room five one hundred
 """
 GERMAN = """
+also 1,5e-3 davon = also eins Komma fünf mal zehn hoch minus drei davon
 1.000.000 Leute = eine Million Leute
 3,14 oder -5 °C = drei Komma eins vier oder minus fünf Grad Celsius
 1905 Arbeiter im Jahr 1905 = eintausendneunhundertfünf Arbeiter im Jahr neunzehnhundertfünf
