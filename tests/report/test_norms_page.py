@@ -104,7 +104,7 @@ def test_the_histogram_counts_every_breath() -> None:
     syllables = norms(score).values["syllables"]
     assert 3 <= len(bars) <= len(np.unique(syllables))
     few = cards(tree(page(varied(6))))["syllables"]
-    assert sum(shape.tag.endswith("circle") for shape in few.iter()) == 6
+    assert sum(shape.attrib.get("class") == "value" for shape in few.iter()) == 6
 
 
 def test_the_page_needs_nothing_from_elsewhere() -> None:

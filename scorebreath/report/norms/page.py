@@ -26,6 +26,7 @@ LEGEND = (
     ("limit", "where every single breath should lie"),
     ("value", "this score"),
     ("median", "its median"),
+    ("mean", "its mean"),
     ("spread", "from its 5th to its 95th breath of a hundred"),
 )
 
@@ -89,6 +90,7 @@ def _legend() -> str:
     box = "<rect class='{}' x='1' y='2' width='22' height='12'/>"
     shapes = {
         "about": "<path class='about' d='M12 1V15'/>", "limit": "<path class='limit' d='M12 1V15'/>",
+        "mean": "<circle class='mean' cx='12' cy='8' r='4'/>",
         "median": "<path class='median' d='M12 1V15'/>", "spread": "<path class='spread' d='M3 4v8m0 -4H21m0 -4v8'/>",
     }  # fmt: skip
     items = "".join(
@@ -122,7 +124,8 @@ def _numbers(result: Result) -> str:
 
 def _figures(result: Result) -> str:
     if not result.compared:
-        return "<p class='none'>Nothing published to compare with.</p>"
+        whom = " this speaker" if result.row.figures else ""
+        return f"<p class='none'>Nothing published to compare{whom} with.</p>"
     ordered = sorted(result.compared, key=lambda each: not each.figure.judges)
     return f"<ul class='figures'>{''.join(_figure(each, result.row.unit) for each in ordered)}</ul>"
 

@@ -162,14 +162,15 @@ def _bins(values: Array) -> Array:
 
 
 def _quantiles(result: Result, x: Scale) -> str:
-    """A line from the 5th to the 95th of a hundred, the median on it, and its number above."""
-    if result.p5 is None or result.p95 is None or result.median is None:
+    """A line from the 5th to the 95th of a hundred, the mean on it; the median with its number above."""
+    if result.p5 is None or result.p95 is None or result.median is None or result.value is None:
         return ""
-    low, middle, high = x(result.p5), x(result.median), x(result.p95)
+    low, middle, high, mean = x(result.p5), x(result.median), x(result.p95), result.value
     anchor = "start" if middle < 40 else "end" if middle > WIDTH - 40 else "middle"
     return (
         f'<path class="spread" d="M{low:.1f} {TOP + 4}v8m0 -4H{high:.1f}m0 -4v8"/>'
         f'<path class="median" d="M{middle:.1f} {TOP + 1}V{FOOT}"/>'
+        f'<circle class="mean" cx="{x(mean):.1f}" cy="{TOP + 8}" r="3.2"/>'
         f'<text class="median-number" x="{middle:.1f}" y="{TOP - 2}" text-anchor="{anchor}">'
         f"{number(result.median, result.row.digits)}</text>"
     )

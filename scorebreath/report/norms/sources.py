@@ -34,18 +34,14 @@ SOURCES: Mapping[str, Source] = MappingProxyType(
     {
         "autesserre": Source(
             "Autesserre 1989",
-            "Autesserre, D. (1989). On breathing and pauses in dialogue. Eurospeech '89, 2433.",
+            "Autesserre, D., Nishinuma, Y., Guaïtella, I. (1989). Breathing, pausing, and speaking in dialogue. "
+            "Eurospeech 1989, 2433-2436.",
         ),
         "bernardet": Source(
             "Winkworth 1995 in Bernardet 2019",
             "Bernardet, U., Kang, S., Feng, A., DiPaola, S., Shapiro, A. (2019). Speech Breathing in Virtual Humans: "
             "An "
             "Interactive Model and Empirical Study. It quotes Winkworth et al. (1995) for the length of breath groups.",
-        ),
-        "fuchs": Source(
-            "Fuchs 2013",
-            "Fuchs, S., Petrone, C., Krivokapić, J., Hoole, P. (2013). Acoustic and respiratory evidence for utterance "
-            "planning in German. Journal of Phonetics 41.",
         ),
         "henderson": Source(
             "Henderson 1965",
@@ -91,9 +87,9 @@ SOURCES: Mapping[str, Source] = MappingProxyType(
         ),
         "pajupuu": Source(
             "Pajupuu & Kerge 2006",
-            "Pajupuu, H., Kerge, K. (2006). Where pauses fall in Estonian read aloud: news by a professional, fiction "
-            "by "
-            "an actor (ceeol 235225).",
+            "Pajupuu, H., Kerge, K. (2006), on pauses in Estonian read aloud: news by a professional, fiction by an "
+            "actor "
+            "(ceeol 235225).",
         ),
         "rochet": Source(
             "Rochet-Capellan & Fuchs 2013",
@@ -106,7 +102,10 @@ SOURCES: Mapping[str, Source] = MappingProxyType(
             "3.2, "
             "3.5 and 10), in line with the papers where those give directions only.",
         ),
-        "textbook": Source("textbooks", "Textbook values of the cycle: 10/90 in speech against 40/60 at rest."),
+        "textbook": Source(
+            "textbooks",
+            "Textbook and class values of the cycle: 10/90 or 0.16 in speech against 40/60 or 0.45 at rest.",
+        ),
         "tobin": Source(
             "Tobin 1983",
             "Tobin, M. J., et al. (1983). Breathing patterns. 1. Normal subjects. Chest 84.",

@@ -103,8 +103,8 @@ ROWS: tuple[Row, ...] = (
                    note="S1 and S2 say that an inspiration's length mostly does not depend on the utterance"),
             Figure(of="value", source="whalen", mark="V", low=0.29, high=0.65, judges=False,
                    note="three speakers: .65, .50, .29; of breath intake with utterance length"),
-            Figure(of="value", source="fuchs", mark="M", low=0.2, high=0.5, judges=False,
-                   note="usual; also Winkworth 1994, 1995 and Rochet-Capellan & Fuchs 2013"),
+            Figure(of="value", source="winkworth94", mark="M", low=0.2, high=0.5, judges=False,
+                   note="usual; also Winkworth 1995, Rochet-Capellan & Fuchs 2013"),
         ),
     ),
     Row(
@@ -115,8 +115,8 @@ ROWS: tuple[Row, ...] = (
             Figure(of="mean", source="scorebreath", mark="E", low=0.10, high=0.20, note="acceptance window"),
             Figure(of="mean", source="textbook", mark="V", low=0.10, high=0.16, judges=False, note="10/90; 0.16"),
             Figure(of="mean", source="korean", mark="V", mean=0.167, judges=False, note="in to out as 1 to 5, reading"),
-            Figure(of="mean", source="autesserre", mark="V", mean=0.25, when=SPONTANEOUS, judges=False,
-                   note="a dialogue's time: a quarter breathing in, a quarter speaking, half silent"),
+            Figure(of="mean", source="autesserre", mark="V", mean=0.20, when=SPONTANEOUS, judges=False,
+                   note="breathing out lasts four times as long; of a dialogue's time a quarter is breathing in"),
         ),
     ),
     Row(
@@ -190,7 +190,7 @@ ROWS: tuple[Row, ...] = (
         figures=(
             Figure(of="mean", source="scorebreath", mark="E", low=0.35, high=0.45, note="acceptance window"),
             Figure(of="mean", source="tobin", mark="M", mean=0.42, sd=0.03, judges=False),
-            Figure(of="mean", source="textbook", mark="V", mean=0.40, judges=False, note="40/60"),
+            Figure(of="mean", source="textbook", mark="V", low=0.40, high=0.45, judges=False, note="40/60; 0.45"),
         ),
     ),
     Row(
