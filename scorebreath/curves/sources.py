@@ -81,7 +81,8 @@ class Moments:
     @property
     def tremor(self) -> Array:
         """What a trembling chest's shape is multiplied by; its phase is the clock's, so it never jumps; (n,)."""
-        return 1.0 + self.factor("tremor") * np.sin(2.0 * np.pi * TREMOR_HZ * self.times)
+        share = self.factor("tremor")
+        return 1.0 + share * np.sin(2.0 * np.pi * TREMOR_HZ * self.times) if share.any() else np.ones(share.shape)
 
     @cached_property
     def thorax_share(self) -> Array:

@@ -170,8 +170,10 @@ class Strokes:
 
     def at(self, event: Index, times: Array) -> tuple[Index, Array]:
         """The stroke begun last within each time's event, and how much of its time has passed (0..1)."""
-        found = np.searchsorted(self.onset, times, side="right") - 1
-        index = np.clip(found, self.first[event], self.first[event] + self.count[event] - 1)
+        index = event
+        if len(self.onset) > len(self.first):
+            found = np.searchsorted(self.onset, times, side="right") - 1
+            index = np.clip(found, self.first[event], self.first[event] + self.count[event] - 1)
         start = self.onset[index]
         return index, np.clip((times - start) / (self.end[index] - start), 0.0, 1.0)
 
@@ -196,10 +198,10 @@ class Strokes:
     def _each(self, event: Index, progress: Array, *, flow: bool) -> Array:
         """Share of a stroke's own volume that has moved, or its flow relative to the mean."""
         profile, peak = self.profile[event], self.peak[event]
-        value = np.zeros(progress.shape)
+        value = np.empty(progress.shape)
         for number in self.profiles:
-            way = WAYS[_NAMES[number]]
-            value = np.where(profile == number, (way.flow if flow else way.volume)(progress, peak), value)
+            way, own = WAYS[_NAMES[number]], profile == number
+            value[own] = (way.flow if flow else way.volume)(progress[own], peak[own])
         return value
 
 
