@@ -11,9 +11,8 @@ from scorebreath.equations.breath import LOUD, LOUD_SQUARE
 from scorebreath_synthdefs.graph import FREE, sc
 from scorebreath_synthdefs.tracts import Glide
 
-_LINEAR, _WELCH = 1, 4
-"""SuperCollider's numbers for a straight line and a quarter of a sine."""
 _NONE = -99  # neither a release node nor a loop
+_LINE = (1, 0)  # shape and curvature of a straight line
 _SHORTEST = 1e-6  # s
 
 
@@ -29,17 +28,24 @@ class Envelope:
         self.flowing = graph["exponent"] > 0
         """1 where the envelope follows the flow, else 0"""
         self._exponent = graph["exponent"] + (1 - self.flowing)
-        self._shape = _LINEAR + self.flowing * (_WELCH - _LINEAR)
 
     def amplitude(self) -> Any:
-        """From 0 up to 1, and back to 0, which frees the sound; audio rate."""
-        flow = sc.EnvGen.ar(envelope=self._levels(0, 1, 0), done_action=FREE)
-        return flow * (1 - self.flowing) + flow**self._exponent * self.flowing  # the power of 1 is not exact everywhere
+        """From 0 up to 1, and back to 0, which frees the sound; audio rate.
+
+        Engines of different versions agree on straight lines, so curves are made of them.
+        """
+        straight = sc.EnvGen.ar(envelope=self._lines(0, 1, 0), done_action=FREE)
+        flow = (straight.max(0) * (pi / 2)).sin() ** self._exponent
+        return straight * (1 - self.flowing) + flow * self.flowing
 
     def glide(self, glide: Glide) -> Any:
-        """What the glide has come to; control rate."""
+        """What the glide has come to, by quarters of a sine as the flow; control rate."""
         depth = self.flowing if glide.with_flow else 1
-        return sc.EnvGen.kr(envelope=self._levels(*(depth * (level - 1) + 1 for level in glide[:3])))
+        progress = sc.A2K.kr(source=sc.EnvGen.ar(envelope=self._lines(0, 1, 2)))  # 1 during the hold
+        rising, falling = progress.min(1) * (pi / 2), (progress - 1).max(0) * (pi / 2)
+        risen = rising.sin() * (glide.full - glide.start) + (glide.start - 1)
+        fallen = (1 - falling.cos()) * (glide.end - glide.full)
+        return (risen + fallen) * depth + 1
 
     def evenness(self) -> Any:
         """Gain that makes the RMS over the loud part 1: `equations.breath.flow_loudness` in the engine's arithmetic."""
@@ -51,11 +57,6 @@ class Envelope:
         loudness = ((square * ramps + hold + _SHORTEST) / (ramps + hold + _SHORTEST)).sqrt()
         return (loudness.reciprocal() - 1) * self.flowing + 1
 
-    def _levels(self, start: Any, full: Any, end: Any) -> UGenVector:
+    def _lines(self, start: float, full: float, end: float) -> UGenVector:
         attack, hold, release = self._times
-        return UGenVector(
-            start, 3, _NONE, _NONE,
-            full, attack, self._shape, 0,
-            full, hold, _LINEAR, 0,
-            end, release, self._shape, 0,
-        )  # fmt: skip
+        return UGenVector(start, 3, _NONE, _NONE, full, attack, *_LINE, full, hold, *_LINE, end, release, *_LINE)

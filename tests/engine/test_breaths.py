@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from functools import cache
 from typing import Any, get_args, get_type_hints
 
 import pytest
@@ -152,6 +153,7 @@ def test_the_vocal_tract_chooses_the_speaker(length: float, speaker: str, scale:
     assert onset.controls["scale"] == pytest.approx(scale)
 
 
+@cache
 def recorded(seconds: float = 5.0, kind: Any = "breath") -> tuple[Score, str, MemoryStore]:
     store = MemoryStore()
     name = store.put(babble(seconds, 44100, 3) if seconds else babble(0.1, 44100, 3)[:0], 44100, kind)

@@ -34,12 +34,12 @@ def length_of(name: str, **controls: float) -> float:
     return sum(controls.get(ramp, row[ramp].default) for ramp in RAMPS)
 
 
-def onset(name: str, time: float, seed: int = 1, **controls: float) -> Onset:
+def onset(name: str, time: float, seed: int = 1, *, media_seconds: float = 2.0, **controls: float) -> Onset:
     """An onset of any instrument; players are given something to play."""
     given = {"level": LEVEL, "seed": float(seed), "rand_id": float(seed % 64)} | controls
     if name not in {SPEECH, RECORDING}:
         return Onset(time=time, duration=length_of(name, **controls), instrument=name, controls=given, event="e")
-    media = recorded()
+    media = recorded(media_seconds)
     length = len(STORE.get(media).samples) / 48000
     if name == SPEECH:
         return Onset(
