@@ -140,8 +140,14 @@ def test_hostile_tags_are_marks_text_or_errors(text: str) -> None:
     assert letters(found.text) in letters(text) or found.marks
 
 
-@given(st.lists(st.sampled_from(ELEMENTS), max_size=30), st.booleans())
+@given(
+    st.lists(
+        st.sampled_from(ELEMENTS) | st.sampled_from(("<s>x</s>", "<s>“y”</s>", "<break/>z", "<p>a</p>")), max_size=30
+    ),
+    st.booleans(),
+)
 @example(["<?"], False)
+@example(["a<break/>b<s>c</s><s>d,</s>", "<s>e<break/>f!)</s>"], True)
 @settings(max_examples=600)
 def test_hostile_xml_is_read_or_an_error(pieces: Sequence[str], whole: bool) -> None:
     text = "".join(pieces)
@@ -153,6 +159,10 @@ def test_hostile_xml_is_read_or_an_error(pieces: Sequence[str], whole: bool) -> 
         assert 1 <= error.column <= len(text) + 1
         return
     assert all(0 <= mark.at <= len(found.text) for mark in found.marks)
+    assert list(found.ends) == sorted(set(found.ends))
+    for end in found.ends:
+        assert not found.text[end].isalnum() and not found.text[end].isspace()
+        assert found.text[end + 1 : end + 2] in ("", " ", "\n")
 
 
 @given(st.text(max_size=200))
