@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from functools import cache
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ import pytest
 from scorebreath.engine import run
 from scorebreath.errors import EngineError
 from scorebreath_synthdefs import CATALOGUE, RECORDING, SPEECH
-from tests.engine.listening import level_db
+from tests.engine.listening import Signal, level_db
 from tests.synthdefs.playing import FLOW, RAMPS, onset, played
 
 GRAPHS = [name for name in CATALOGUE if name.endswith("_male") or name in {RECORDING, SPEECH}]
@@ -19,25 +20,43 @@ EXPONENTS = [0.0, FLOW]
 needs_scsynth = pytest.mark.skipif(shutil.which("scsynth") is None, reason="no scsynth on PATH")
 
 
+STEP = 2.112  # s between instruments, a whole number of blocks
+
+
+@cache
+def parade(exponent: float, *, shift: int = 0, seed: int = 77, run: int = 0) -> Signal:
+    """All instruments one after the other: (instruments, frames), each `shift` frames after its row's beginning.
+
+    Args:
+        exponent: Of all.
+        shift: Frames.
+        seed: Of the noises.
+        run: Another number is another run of the engine.
+    """
+    times = (STEP * index + shift / 48000 for index in range(len(CATALOGUE)))
+    sounds = [onset(name, time, seed, exponent=exponent) for name, time in zip(CATALOGUE, times, strict=True)]
+    return played(sounds, STEP * len(CATALOGUE)).reshape(len(CATALOGUE), -1)
+
+
 @pytest.mark.parametrize("exponent", EXPONENTS)
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_it_starts_on_its_sample_and_ends_with_its_envelope(name: str, exponent: float) -> None:
     """Anywhere in the engine's blocks of 64, and bit for bit the same there."""
-    first, later = 480, 480 + 64 + 37
-    one, other = (played([onset(name, frame / 48000, 77, exponent=exponent)], 2.5) for frame in (first, later))
-    assert not one[:first].any()
-    assert np.flatnonzero(one)[0] <= first + 12  # a flow to the power of 1.66 begins below what 32 bits can hold
-    end = first + round(onset(name, 0.0, exponent=exponent).duration * 48000)
-    assert not one[end + 2 :].any()
+    row, shift = list(CATALOGUE).index(name), 37
+    one, other = parade(exponent)[row], parade(exponent, shift=shift)[row]
+    assert np.flatnonzero(one)[0] <= 12  # a flow to the power of 1.66 begins below what 32 bits can hold
+    assert not other[:shift].any()
+    end = round(onset(name, 0.0, exponent=exponent).duration * 48000)
     assert np.abs(one[end - 960 : end]).max() > 0
-    np.testing.assert_array_equal(one[first : end + 2], other[later : end + 2 + later - first])
+    assert not one[end + 2 :].any()
+    np.testing.assert_array_equal(one[:-shift], other[shift:])
 
 
 @pytest.mark.parametrize("exponent", EXPONENTS)
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_one_seed_is_one_sound(name: str, exponent: float) -> None:
-    one, again, other = (played([onset(name, 0.0, seed, exponent=exponent)], 0.5) for seed in (5, 5, 6))
-    assert one.any()
+    row = list(CATALOGUE).index(name)
+    one, again, other = (found[row] for found in (parade(exponent), parade(exponent, run=1), parade(exponent, seed=6)))
     np.testing.assert_array_equal(one, again)
     assert name == SPEECH or not np.array_equal(one, other)
 
