@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scorebreath.compose import sounds
 from scorebreath.compose.chances import Chances
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import Air
@@ -69,11 +68,10 @@ def relax(placer: Placer, length: float) -> None:
     if placer.volume > rest:
         placer.exhale("relax", rest, length, rule=rule, kind="tidal", peak=0.5)
     elif placer.volume < rest:
-        gain = placer.p.amplitude_breathing_sound if rest - placer.volume > HEARD else 0.0
-        placer.inhale(
-            "relax", rest, length, rule=rule, kind="tidal", nose=0.5 * gain, mouth=0.5 * gain,
-            opening=1.0 if gain else 0.0, peak=sounds.PEAK if gain else 0.5,
-        )  # fmt: skip
+        if rest - placer.volume > HEARD:
+            placer.inhale("relax", rest, length, rule=rule, kind="tidal")
+        else:
+            placer.inhale("relax", rest, length, rule=rule, kind="tidal", nose=0.0, mouth=0.0, opening=0.0, peak=0.5)
 
 
 def _cycle(placer: Placer, end: float, usual: float) -> None:

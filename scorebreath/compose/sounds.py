@@ -63,7 +63,8 @@ def noise(state: BodyState, m: Modifiers, chances: Chances, air: Air, *, purpose
     reference flow at the default gains is at `breath_level`.
     """
     p = state.parameters
-    length = snap(air.length - min(air.delay, air.length / 4))
+    whole = snap(air.length)
+    length = snap(whole - min(air.delay, whole / 4))
     if not p.breath_sound or length <= 0 or air.flow <= 0 or air.nose + air.mouth <= 0:
         return None
     own = flow_level(air.flow, REFERENCE_FLOW, p.flow_exponent) if air.level_db is None else air.level_db
@@ -74,7 +75,7 @@ def noise(state: BodyState, m: Modifiers, chances: Chances, air: Air, *, purpose
     level -= default_mix() + max(0.0, heard - max(LOUDEST_DB, p.breath_level))
     attack, hold, release = _envelope(p, air, length)
     return Noise(
-        onset=snap(air.length - length),
+        onset=snap(whole - length),
         duration=length,
         attack=attack,
         hold=hold,

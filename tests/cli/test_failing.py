@@ -36,7 +36,13 @@ HOSTILE: dict[str, tuple[bytes, int]] = {
     "mixed scripts": ("Hello мир, 世界 and عالم.".encode(), 0),
     "combining marks": (("Z" + "\u0351" * 200 + "algo speaks.").encode(), 0),
     "one long line": (b"and so it went on " * 500, 0),
-    "markup": (b"<speak>Hello & goodbye</speak>", 0),
+    "markup": (b"<speak>Hello &amp; goodbye</speak>", 0),
+    "broken markup": (b"<speak>Hello & goodbye</speak>", 2),
+    "an entity bomb": (b'<!DOCTYPE x [<!ENTITY a "aaaa">]><speak>&a;</speak>', 2),
+    "an unknown tag": (b"Hello [sihg] there.", 2),
+    "an unclosed tag": (b"Hello [sigh there.", 2),
+    "brackets that are text": (b"Hello [1] there [He] and [...] then.", 0),
+    "a sigh alone": (b"[sigh]", 0),
     "a formula": (b"=1+1 is two. -5 degrees.", 0),
     "line separators": ("One\u2028two\u2029three\x0bfour\x0cfive\x85six.".encode(), 0),
     "right to left": ("\u202eHello\u202c there.".encode(), 0),
@@ -414,8 +420,8 @@ def test_an_error_event_names_its_input(tmp_path: Path) -> None:
         assert (told["event"], told["source"]) == ("error", str(tmp_path / "missing.txt"))
 
 
-def test_an_output_folder_given_as_input_leads_to_its_score(tmp_path: Path) -> None:
+def test_an_output_folder_given_as_input_stands_for_its_score(tmp_path: Path) -> None:
     (tmp_path / "score.json").write_text("{}")
     result = run("render", tmp_path, "-o", tmp_path / "out")
     assert result.exit_code == 2
-    assert f"its score is {tmp_path / 'score.json'}" in result.stderr
+    assert f"{tmp_path / 'score.json'}: is not a score" in result.stderr
