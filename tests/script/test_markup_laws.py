@@ -86,6 +86,7 @@ def test_tags_between_words_leave_the_words_and_their_places(told: list[tuple[st
 @given(tags_in_text)
 @example('"One [sigh]" [gasp], ([hold]two)[sigh].[sigh]')
 @example("One [sigh] [gasp].” two")
+@example(" [sigh]\n  [gasp] \n two")
 @example("One\n [sigh] \n[gasp]\n\n[hold]\ntwo")
 @example('x"""""""""""""""""""""[sigh]a')
 @settings(max_examples=500)

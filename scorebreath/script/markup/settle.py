@@ -2,7 +2,7 @@
 
 A mark stands beside white space, or at an end of the text: never inside a word with its punctuation. So it goes behind
 what closes (`Well[sigh], no`), in front of what opens (`"[sigh]Well`), and keeps apart what its tag kept apart. A line
-of tags alone goes with its newline, so that no paragraph begins where none was meant.
+of tags alone goes with its white space and its newline, so that no paragraph begins where none was meant.
 """
 
 from __future__ import annotations
@@ -55,6 +55,8 @@ class Settled:
 
     def unspace(self) -> None:
         """Take the last space back."""
+        while not self.pieces[-1]:
+            self.pieces.pop()
         self.pieces[-1] = self.pieces[-1][:-1]
         self.length -= 1
         self.tail = self.tail[:-1]
@@ -129,6 +131,8 @@ def _put(settled: Settled, bare: str, count: int) -> None:
     left, right = settled.tail[-1:], bare[at : at + 1]
     fresh = settled.fresh()
     if fresh and (rest := _REST_OF_LINE.match(bare, at)):
+        while _is_space(settled.tail[-1:]):
+            settled.unspace()
         settled.drop(rest.end())
         settled.mark(count, settled.length)
         return

@@ -24,7 +24,7 @@ EDITORIAL = frozenset({"sic"})
 LONGEST = 32
 """Letters of a name."""
 
-_BRACKET = re.compile(rf"(\\?)\[(/?[A-Za-z][A-Za-z_-]{{0,{LONGEST - 1}}}(?![\w-])|)")
+_BRACKET = re.compile(rf"(\\?)\[(/?[A-Za-z][A-Za-z_-]{{0,{LONGEST - 1}}}(?![A-Za-z_-])|)")
 _REST = re.compile(r"[^\[\]\n]*")
 _ALONE = re.compile(r"/?[a-z]{3,}(?:[-_][a-z]+)*")
 _QUANTITY = re.compile(r"[\s:=,]+(?:[0-9]*\.[0-9]+|[0-9]+\s?m?s)\s*")
