@@ -22,6 +22,8 @@ SET_FILES = (
     "mix.wav", "curves.csv", "curves.json", "groups.csv", "timeline.png", "preview.html", "score.json",
 )  # fmt: skip
 """What `render` writes into its folder beside the media; the Score last, as it names the others' source."""
+BODY_FILES = ("curves.csv", "curves.json", "timeline.png")
+"""What it writes into a folder of its own for each further body of a Score; the files above are those of the first."""
 STANDARD = "-"
 """The name of stdin and stdout."""
 SCORE = "score.json"

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 from scorebreath_cli.inputs import Source, load_score, read_source
 from scorebreath_cli.making import Compiler
-from scorebreath_cli.outputs import SCORE, SET_FILES, old_media, refuse_existing, refuse_own_input, staged
+from scorebreath_cli.outputs import BODY_FILES, SCORE, SET_FILES, old_media, refuse_existing, refuse_own_input, staged
 from scorebreath_cli.printers import Printer
 from scorebreath_cli.settings import frame_rate
 
@@ -73,8 +73,10 @@ class Renderer:
         self._printer.started(source.name, str(folder))
         with staged(folder, own=old_media) as part, ThreadPoolExecutor(1, thread_name_prefix="writer") as writer:
             score, media = self._score(source, part, lambda: writer.submit(_imports, SOUND + PICTURE))
+            others = tuple(f"{body.id}/{name}" for body in score.bodies[1:] for name in BODY_FILES)
+            refuse_existing(folder, others, force=force)
             self._write_set(score, media, part, fps, writer)
-        for name in sorted(SET_FILES):
+        for name in sorted((*SET_FILES, *others)):
             self._printer.written(str(folder / name), (folder / name).stat().st_size)
 
     def to_stdout(self, given: str) -> None:
@@ -130,17 +132,23 @@ class Renderer:
         from scorebreath.score.files import with_media_paths
 
         _check_room(part, score.duration, self._sound.rate)
-        silent = _Writers(with_media_paths(score), media, part, fps)
+        first, more = (score.bodies[0].id if score.bodies else None), score.bodies[1:]
+        whole = with_media_paths(score)
+        silent = _Writers(whole, media, part, fps, first)
+        besides = [_Writers(whole, media, part / body.id, fps, body.id) for body in more]
         try:
             page, others = writer.submit(silent.page), writer.submit(silent.write)
+            jobs = [writer.submit(each.write, BODY_FILES) for each in besides]
             compact = CompactSound(self._sound.rate, seconds_shown(score))
             with (part / "mix.wav").open("wb") as stream:
                 self._sound_of(score, media, stream, compact.add)
             with (part / "preview.html").open("wb") as stream:
                 page.result().write(stream, compact)
-            others.result()
+            for job in (others, *jobs):
+                job.result()
         finally:
-            silent.stop()
+            for each in (silent, *besides):
+                each.stop()
 
 
 def _check_room(folder: Path, duration: float, rate: int) -> None:
@@ -164,10 +172,10 @@ def _check_room(folder: Path, duration: float, rate: int) -> None:
 class _Writers:
     """What can be written without the sound."""
 
-    def __init__(self, score: Score, media: MediaStore, part: Path, fps: Fraction) -> None:
+    def __init__(self, score: Score, media: MediaStore, part: Path, fps: Fraction, body: str | None) -> None:
         from scorebreath.curves.curve_set import curves
 
-        self.score, self.curve_set = score, curves(score)
+        self.score, self.curve_set = score, curves(score, body)
         self._media, self._part, self._fps = media, part, fps
         self._stopped = Event()
 
@@ -181,8 +189,9 @@ class _Writers:
 
         return Preview(self.score, self.curve_set)
 
-    def write(self) -> None:
-        """One after the other, the slowest first."""
+    def write(self, names: Sequence[str] | None = None) -> None:
+        """One after the other, the slowest first; all of them, or those named."""
+        self._part.mkdir(exist_ok=True)
         writers: dict[str, Callable[[Path], None]] = {
             "timeline.png": self._timeline,
             "score.json": self._score,
@@ -193,6 +202,8 @@ class _Writers:
         for name, write in writers.items():
             if self._stopped.is_set():
                 return
+            if names is not None and name not in names:
+                continue
             write(self._part / name)
 
     def _timeline(self, path: Path) -> None:
