@@ -111,6 +111,12 @@ def test_a_group_that_is_said_in_parts_counts_once() -> None:
     assert found["group_speech"].values[0] == pytest.approx(4.0)
 
 
+def test_groups_that_interrupt_each_other_count_once() -> None:
+    score = person(2, syllables=(10, 12))
+    again = dataclasses.replace(next(score.of(Utterance)), id="again", onset=snap(score.duration + 1.0))
+    assert norms(with_events(score, again))["syllables"].values.tolist() == [10, 12]
+
+
 def test_what_the_markup_asks_for_is_no_habit() -> None:
     score = person(3)
     plain = norms(score)
@@ -202,12 +208,13 @@ def test_the_laws_see_what_breaks_them(bent: Bent, sum_error: float, flow: float
     assert found.over_flow == pytest.approx(over, rel=0.05)
 
 
-def test_the_laws_look_everywhere() -> None:
+@pytest.mark.parametrize("place", [2, 13, 20, 31, 38])
+def test_the_laws_look_everywhere(place: int) -> None:
     """Also beyond the first block of frames."""
     breaths = [dataclasses.replace(EVEN, speech=40.0)] * 39
     fast = dataclasses.replace(EVEN, inspiration=0.1, to_volume=0.9)
     assert norms(person(breaths))["largest_flow"].value == pytest.approx(0.16 * 5 / 0.6 * np.pi / 2, rel=0.01)
-    found = norms(person([*breaths, fast]))
+    found = norms(person([*breaths[:place], fast, *breaths[place:]]))
     assert found["largest_flow"].value == pytest.approx(0.54 * 5 / 0.1 * np.pi / 2, rel=0.05)
     assert str(found["largest_flow"].verdict) == "outside: above"
 

@@ -17,7 +17,7 @@ from scorebreath.report.norms.figures import NO_FIGURE, TOO_FEW, Figure, Verdict
 from scorebreath.report.norms.row import correlation
 from scorebreath.report.norms.sources import MARKS, SOURCES
 from scorebreath.report.norms.table import ROWS
-from scorebreath.report.norms.words import COLUMNS, about, event, figure_said, line, why
+from scorebreath.report.norms.words import COLUMNS, about, event, figure_said, line, shares_said, why
 from scorebreath.score.document import Score, Site
 from scorebreath.score.events import State
 from scorebreath.units import snap
@@ -206,6 +206,19 @@ def test_a_body_that_never_moves() -> None:
 def test_correlation_of_too_little() -> None:
     assert correlation(np.array([[1.0, 2.0], [1.0, 3.0]])) == 0.0
     assert norms(person(9))["inspiration_syllables"].value is None
+
+
+def test_rounding_is_no_reason_to_be_outside() -> None:
+    limits = (0.25, 1.1)
+    assert {str(compare(np.array([value]), limits)) for value in (0.249996, 0.25, 1.1, 1.100004)} == {"within"}
+    assert str(compare(np.array([1.10001]), limits)) == "outside: above"
+    assert str(compare(np.array([0.24999]), limits)) == "outside: below"
+
+
+def test_the_commonest_place_is_said_first() -> None:
+    sites: tuple[Site, ...] = ("word", *("comma",) * 7, *("sentence",) * 3)
+    said = shares_said(norms(person(12, sites=sites))["sites"])
+    assert said == "comma 64 %, sentence 27 %, word 9 %"
 
 
 def test_verdicts_together() -> None:
