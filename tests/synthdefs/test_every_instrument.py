@@ -12,7 +12,7 @@ from scorebreath.engine import run
 from scorebreath.errors import EngineError
 from scorebreath_synthdefs import CATALOGUE, RECORDING, SPEECH
 from tests.engine.listening import Signal, level_db
-from tests.synthdefs.playing import FLOW, RAMPS, onset, played
+from tests.synthdefs.playing import FLOW, LEVEL, RAMPS, onset, played
 
 GRAPHS = [name for name in CATALOGUE if name.endswith("_male") or name in {RECORDING, SPEECH}]
 """One of each; speakers differ in numbers only."""
@@ -91,13 +91,15 @@ def test_engines_agree_on_it(name: str, exponent: float) -> None:
     assert level_db(one - other + 1e-12) < level_db(one) - 40
 
 
-@pytest.mark.parametrize("rate", [16000, 22050, 192000])
-@pytest.mark.parametrize("name", GRAPHS)
-def test_extremes_stay_finite(name: str, rate: int) -> None:
+@pytest.mark.parametrize("rate", [16000, 192000])
+@pytest.mark.parametrize("name", [name for name in GRAPHS if name not in {RECORDING, SPEECH}])
+def test_extremes_stay_in_bounds(name: str, rate: int) -> None:
     """A very small tract in very fast air at a low rate: no resonance leaves the circle."""
-    if name in {RECORDING, SPEECH}:
-        return
     for scale, brightness in ((2.4, 4.0), (0.5, 0.25)):
-        signal = played([onset(name, 0.0, 3, exponent=FLOW, scale=scale, brightness=brightness)], 2.0, rate)
+        sound = onset(
+            name, 0.0, 3, exponent=FLOW, scale=scale, brightness=brightness, attack=0.1, hold=0.3, release=0.2
+        )
+        signal = played([sound], 0.6, rate)
         assert np.isfinite(signal).all()
-        assert 0.001 < np.abs(signal).max() < 1.0
+        assert -16 < level_db(signal) - 20 * np.log10(LEVEL) < 2
+        assert np.abs(signal).max() < 8 * LEVEL
