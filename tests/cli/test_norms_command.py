@@ -21,6 +21,7 @@ from scorebreath.score.take import TakeWriter
 from scorebreath_cli import printers
 from scorebreath_cli.commands import norms as command
 from tests.cli.running import events, run, spawn
+from tests.cli.test_looking import complete
 from tests.report.people import person
 from tests.report.test_norms_sound import RATE, sound_of
 from tests.report.test_norms_verdicts import ABOUT, EVENT
@@ -241,3 +242,12 @@ def test_it_runs_as_its_users_start_it(rendered: Path) -> None:
     result = spawn("norms", rendered)
     assert result.returncode == 0
     assert result.stdout.decode().splitlines()[2].startswith("Breath group, speech alone")
+
+
+@pytest.mark.parametrize(
+    ("line", "offered"),
+    [("scorebreath nor", ["norms"]), ("scorebreath norms --no-s", ["--no-sound"]),
+     ("scorebreath norms x --engine emb", ["embedded"])],
+)  # fmt: skip
+def test_the_command_completes(line: str, offered: list[str]) -> None:
+    assert complete(line) == offered
