@@ -13,10 +13,11 @@ import pytest
 import soundfile
 
 from scorebreath.score.files import check_media, load
+from scorebreath.script.markup.marked import marked
 from scorebreath.units import frame_count
 
 ROOT = Path(__file__).resolve().parents[2]
-EXAMPLES = sorted((ROOT / "examples").glob("*.txt"))
+EXAMPLES = sorted(path for path in (ROOT / "examples").iterdir() if path.suffix in (".txt", ".ssml"))
 LANGUAGES = {"English": "en", "German": "de"}
 LISTED = {
     name: LANGUAGES[language]
@@ -50,7 +51,7 @@ def test_an_example_renders(example: Path, tmp_path: Path) -> None:
 
     score, media = load(out / "score.json")
     check_media(score, media)
-    text = example.read_text(encoding="utf-8")
+    text = marked(example.read_text(encoding="utf-8")).text
     assert score.text.split() == text.split()
     said = "".join("".join(group.text.replace("_", " ").split()) for group in score.groups)
     assert said == "".join(text.replace("_", " ").split())
@@ -58,6 +59,7 @@ def test_an_example_renders(example: Path, tmp_path: Path) -> None:
         assert sound.frames == frame_count(score.duration, sound.samplerate)
     with (out / "curves.csv").open(encoding="utf-8", newline="") as file:
         rows = sum(1 for _ in csv.reader(file)) - 1
+    assert {body.id for body in score.bodies[1:]} == {path.parent.name for path in out.glob("*/curves.csv")}
     assert abs(rows - score.duration * FPS) <= 1
     with (out / "groups.csv").open(encoding="utf-8", newline="") as file:
         assert len(list(csv.DictReader(file))) == len(score.groups)
