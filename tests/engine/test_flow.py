@@ -9,6 +9,7 @@ from math import log2
 import numpy as np
 import pytest
 
+from scorebreath.curves.levels import breath_level
 from scorebreath.equations.breath import brightness, flow_level
 from scorebreath.equations.shapes import flow_envelope
 from scorebreath.media.store import MemoryStore
@@ -156,3 +157,32 @@ def test_one_recording_serves_more_puffs_than_an_engine_has_buffers() -> None:
     levels = [level_db(signal[int((puff + 0.02) * rate) :][: rate // 20]) for puff in puffs]
     assert np.mean(levels) == pytest.approx(REFERENCE_DB - 24, abs=0.5)
     assert min(levels) > REFERENCE_DB - 24 - 4
+
+
+def test_the_curve_of_the_breaths_level_is_the_level_of_the_sound() -> None:
+    """Sound and curve come from the same events by the same equations: the mean power of many seeds."""
+    seeds, step = 24, 2.5
+    loudness: list[Signal] = []
+    for index in range(seeds):
+        follows = {"envelope": "flow", "seed": 900 + 37 * index}
+        events = [
+            inspiration(0.2, noise(ATTACK, 0.0, RELEASE, level_db=-24.0, **follows), mouth=0.65, nose=0.35),
+            dataclasses.replace(
+                inspiration(1.0, noise(0.1, 0.1, 0.3, level_db=-20.0, seed=900 + index), nose=1.0, mouth=0.0),
+                kind="sniff", saccades=2,
+            ),
+            dataclasses.replace(
+                expiration(1.7, noise(0.03, 0.03, 0.06, level_db=-16.0, **follows)),
+                kind="laugh", duration=0.6, puffs=(0.0, 0.25),
+            ),
+        ]  # fmt: skip
+        made = score(events, step)
+        loudness.append(samples(wave(made, sample_rate=16000))[0] ** 2)
+    block = 80  # 5 ms
+    found = 10 * np.log10(np.mean(loudness, axis=0).reshape(-1, block).mean(axis=1) + 1e-14) - REFERENCE_DB
+    middles = (np.arange(len(found)) + 0.5) * block / 16000
+    said = breath_level(made, "body").sample(middles)
+    clear = (said > -45) & (np.roll(said, 1) > -45) & (np.roll(said, -1) > -45)
+    assert clear.sum() > 200
+    assert abs(np.mean(found[clear] - said[clear])) < 0.5
+    assert np.abs(found[clear] - said[clear]).max() < 4.0  # 24 seeds of 5 ms
