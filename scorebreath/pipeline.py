@@ -80,7 +80,8 @@ def compile_text(
         tail: Time after the body has come back to rest, s.
         file: Name of the text, for messages.
         markup: What stands in the text besides words: `tags`, `ssml`, `none`; `auto`: as it looks.
-        states: States the body is in from the beginning, with their intensities (`parameters.states`).
+        states: States the body is in from the beginning, with their intensities (`parameters.states`); none fades by
+            itself.
         voices: Opens a voice by its name, for texts that change the voice; the caller closes it.
         cast: Parameters of those who speak with another voice, by the voice's name; else as the first one's.
         recordings: The user's own breaths, in `media`.
@@ -152,9 +153,9 @@ def compile_text(
 
 
 def begin_states(states: Mapping[str, float]) -> tuple[StateMark, ...]:
-    """Marks that put a body into states from the beginning."""
+    """Marks that put a body into states from the beginning and keep it there; a tag in the text can end them."""
     return tuple(
-        StateMark(at=0, written=f"state {name}", name=name, intensity=intensity, ramp=0.0)
+        StateMark(at=0, written=f"state {name}", name=name, intensity=intensity, ramp=0.0, held=True)
         for name, intensity in states.items()
     )
 

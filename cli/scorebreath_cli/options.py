@@ -95,7 +95,7 @@ State = Annotated[
     list[str] | None,
     typer.Option(
         "--state", metavar="NAME[=INTENSITY]",
-        help="A state the body begins in, such as anxious=0.8; may be repeated.",
+        help="A state the body is in from the beginning, such as anxious=0.8; may be repeated.",
         autocompletion=complete_states, rich_help_panel=COMPILING,
     ),
 ]  # fmt: skip

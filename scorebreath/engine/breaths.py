@@ -62,6 +62,8 @@ class Sounding:
     """amplitude, above 0"""
     seed: int
     """1..2^24-1"""
+    source: str = SYNTH
+    """SHA-256 of the recording, if it is one"""
 
 
 class Throat(NamedTuple):
@@ -99,23 +101,44 @@ def soundings(event: Breathing, noise: Noise) -> Iterator[Sounding]:
     """Every time an event's noise is heard: through mouth and nose at once, in each gasp and each puff.
 
     Mouth and nose have gains of their own (B10, B31, B32); at equal flow the nose is 6 dB below the mouth (physiology
-    3.2). A recording sounds once, as loud as both together. Gains of 0 make no sound.
+    3.2). One recording of both sounds once, as loud as both together. Gains of 0 make no sound.
     """
-    mouth, nose = (1.0, 0.0) if isinstance(event, Hold) else (event.sound_mouth, event.sound_nose)
-    routes = ROUTES[event.type, event.kind]
-    ways: tuple[tuple[Kind | None, float], ...]
-    if noise.source != SYNTH and routes != SILENT and mouth + nose > 0:
-        ways = ((None, amplitude(mix_level(mouth, nose))),)
-    else:
-        given = ((routes.mouth, mouth), (routes.nose, nose * amplitude(-NOSE_BELOW_MOUTH_DB)))
-        ways = tuple(way for way in given if way[0] is not None and way[1] > 0)
+    ways = tuple(_ways(event, noise))
     seed = noise.seed
     for onset, length in _repeats(event):
         seeds = seed, other_seed(seed)
-        for kind, gain in ways:
-            own = seeds[kind is not None and kind == routes.nose]
-            yield Sounding(onset=onset + noise.onset * length, length=length, kind=kind, gain=gain, seed=own)
+        for way in ways:
+            yield Sounding(
+                onset=onset + noise.onset * length,
+                length=length,
+                kind=way.kind if way.source == SYNTH else None,
+                gain=way.gain,
+                seed=seeds[way.nasal],
+                source=way.source,
+            )
         seed = other_seed(seeds[1])
+
+
+class _Way(NamedTuple):
+    kind: Kind | None
+    gain: float
+    nasal: bool
+    source: str
+
+
+def _ways(event: Breathing, noise: Noise) -> Iterator[_Way]:
+    """The ways an event's noise takes, as far as anything is heard there."""
+    mouth, nose = (1.0, 0.0) if isinstance(event, Hold) else (event.sound_mouth, event.sound_nose)
+    routes = ROUTES[event.type, event.kind]
+    through_nose = noise.source_nose or noise.source
+    if noise.source == through_nose != SYNTH:
+        if routes != SILENT and mouth + nose > 0:
+            yield _Way(None, amplitude(mix_level(mouth, nose)), False, noise.source)
+        return
+    if routes.mouth is not None and mouth > 0:
+        yield _Way(routes.mouth, mouth, False, noise.source)
+    if routes.nose is not None and nose > 0:
+        yield _Way(routes.nose, nose * amplitude(-NOSE_BELOW_MOUTH_DB), True, through_nose)
 
 
 def _repeats(event: Breathing) -> Iterator[tuple[float, float]]:

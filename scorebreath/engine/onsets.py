@@ -96,23 +96,23 @@ def _breath(event: Breathing, noise: Noise, sounding: Sounding, media: Mapping[s
         event=event.id,
     )
     if sounding.kind is None:
-        return _recorded(made, noise, sounding, media)
+        return _recorded(made, sounding, media)
     speaker, scale = throat(body.person)
     own = {"seed": float(sounding.seed), "scale": scale, "brightness": noise.brightness}
     return replace(made, instrument=breath_name(sounding.kind, speaker), controls={**made.controls, **own})
 
 
-def _recorded(made: Onset, noise: Noise, sounding: Sounding, media: Mapping[str, MediaInfo]) -> Onset:
+def _recorded(made: Onset, sounding: Sounding, media: Mapping[str, MediaInfo]) -> Onset:
     """A recording begins anywhere that leaves enough of it; where there is not enough, it begins again."""
-    found = media.get(noise.source)
-    place = f"event {made.event!r}: noise.source={shortened(noise.source)!r}"
+    found = media.get(sounding.source)
+    place = f"event {made.event!r}: noise.source={shortened(sounding.source)!r}"
     if found is None:
         raise ScoreError(f"{place} must be {SYNTH!r} or media that the score lists")
     if found.kind != "breath" or not found.frames:
         raise ScoreError(f"{place} must be the recording of a breath, not {found.frames} frames of {found.kind}")
     length = _seconds(found)
     start = max(0.0, length - made.duration) * share(sounding.seed)
-    return replace(made, controls={**made.controls, "start": start}, media=noise.source, media_duration=length)
+    return replace(made, controls={**made.controls, "start": start}, media=sounding.source, media_duration=length)
 
 
 def _seconds(media: MediaInfo) -> float:

@@ -103,7 +103,8 @@ def test_an_inserted_sentence_changes_no_other_draws(voice: Voice) -> None:
     assert len(shared) >= len(before) - 2
     assert {key: before[key][0] for key in shared} == {key: after[key][0] for key in shared}
     # lengths also follow the lungs, which carry over what the group before has left
-    assert all(after[key][1] == pytest.approx(before[key][1], rel=0.25) for key in shared)
+    earlier = [key for key in shared if TEXT.index(key) < TEXT.index("Will it last?")]
+    assert earlier and all(after[key] == before[key] for key in earlier)
 
 
 @pytest.mark.parametrize("model", MODELS)
