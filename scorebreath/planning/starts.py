@@ -51,11 +51,8 @@ class Start:
     """syllables from which on boundaries are passed at a cost; whole, as syllables are: sums with it are exact"""
     much: int
     """syllables beyond which the next group is recovering"""
-
-    @property
-    def most(self) -> int:
-        """Syllables one breath holds."""
-        return len(self.fresh) - 1
+    most: int
+    """syllables one breath holds"""
 
     @property
     def recovery(self) -> float:
@@ -84,6 +81,7 @@ def start(preferred: float, most: int, volume: float, *, spread: float = SPREAD)
         tired=tuple(tired),
         budget=ceil(BUDGET * preferred),
         much=int(MUCH / volume),
+        most=most,
     )
 
 
@@ -179,15 +177,16 @@ def worst(here: Start, here_recovering: bool, there: Start, there_recovering: bo
     ([-0.19, -0.21, -inf], -inf)
     """
     ours, theirs = here.length(here_recovering), there.length(there_recovering)
+    furthest, much, tiring = there.most, here.much, there.much
     row = [-inf] * (here.most + 2)
+    dearest = -inf
     for n in range(here.most, 0, -1):
         other = n + more
-        if other < 1:
-            row[n] = inf
-        elif other > there.most:
-            row[n] = row[n + 1] if more > 0 else inf
-        else:
-            tires = RECOVERY if other > there.much and n <= here.much else 0.0
-            row[n] = max(row[n + 1], theirs[other] - ours[n] + tires)
+        if 1 <= other <= furthest:
+            cost = theirs[other] - ours[n] + (RECOVERY if other > tiring and n <= much else 0.0)
+            dearest = max(dearest, cost)
+        elif more < 0:
+            dearest = inf
+        row[n] = dearest
     row[0] = row[1]
     return tuple(row)

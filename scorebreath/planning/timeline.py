@@ -19,9 +19,11 @@ STEPS = 20
 """Steps a factor is rounded to, in an e-fold: starts within 5 % are one, so that they can be compared."""
 COARSE = 4
 """Steps that draws are rounded to: they differ at every place, and only equal starts can be compared."""
-LEVELS = 50
+LEVELS = 20
 """Steps an intensity is rounded to."""
-REMEMBERED = 1000
+SHIFTS = 50.0
+"""Steps that shifts of the lungs' levels are rounded to, in a vital capacity."""
+REMEMBERED = 2000
 """starts and states that are remembered"""
 ACT = 0.8
 """s that a breath or a sound of one takes, where the markup does not say"""
@@ -102,7 +104,7 @@ class Timeline:
         here = _Steps(
             length=_step(now.syllables) + COARSE * round(log(longer) * STEPS / COARSE),
             volume=_step(now.volume),
-            shift=round(now.start * 100.0),
+            shift=round(now.start * SHIFTS),
             rate=_step(self._rate),
             frequency=_step(self._frequency),
         )
@@ -117,7 +119,7 @@ class Timeline:
         length = self._habits.length * _factor(here.length)
         return starts.start(
             starts.preferred_syllables(p, length, rate, _factor(here.frequency)),
-            starts.most_syllables(p, volume, here.shift / 100.0, rate),
+            starts.most_syllables(p, volume, here.shift / SHIFTS, rate),
             starts.syllable_volume(p) * volume,
             spread=self._habits.spread,
         )

@@ -7,14 +7,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 from importlib.resources import files
 from itertools import combinations
-from math import log
+from math import exp, log
 
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from scorebreath.parameters.table import Parameters
-from scorebreath.planning import natural
+from scorebreath.planning import natural, sites
 from scorebreath.planning.lattice import Lattice
 from scorebreath.planning.model import BreathGroup, plan
 from scorebreath.planning.natural import Natural
@@ -209,12 +209,23 @@ SITES_OF: tuple[tuple[str, str, Site, float], ...] = (
 
 
 @pytest.mark.parametrize(("text", "after", "site", "probability"), SITES_OF)
-def test_what_follows_a_word(text: str, after: str, site: Site, probability: float) -> None:
+def test_what_follows_a_word(
+    text: str, after: str, site: Site, probability: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sites, "NEAR", ())
     found = units(text)
     index = next(i for i, unit in enumerate(found) if unit.words[0].text == after)
     actual = boundary(found, index, function_words("en"))
     assert actual.site == site
     assert actual[1:] == pytest.approx((-log(probability), -log(1.0 - probability)))
+
+
+def test_places_near_punctuation_are_less_ready() -> None:
+    found = units("Old men row boats here, now and then.")
+    ready = [
+        exp(-boundary(found, place, function_words("en")).breathing) / READING.readiness["word"] for place in range(4)
+    ]
+    assert ready == pytest.approx([0.1, 0.35, 0.35, 0.1])
 
 
 def test_german_clauses_open_too() -> None:
@@ -261,7 +272,10 @@ def test_a_pair_of_compounds_that_share_a_half_is_not_parted(text: str, language
         ("saw Dr. Smith now", 1, "word", READING.clinging),
     ],
 )
-def test_what_is_said_otherwise_is_no_function_word(text: str, index: int, site: Site, probability: float) -> None:
+def test_what_is_said_otherwise_is_no_function_word(
+    text: str, index: int, site: Site, probability: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sites, "NEAR", ())
     reader = UnitReader(vowel_counter, 44)
     found = [unit for sentence in read(text).sentences for unit in reader.read(sentence)]
     actual = boundary(found, index, function_words("en"))
