@@ -172,6 +172,21 @@ def test_a_recording_sounds_once_as_loud_as_mouth_and_nose() -> None:
     assert onset.controls["exponent"] == FLOW_EXPONENT
 
 
+def test_mouth_and_nose_may_have_recordings_of_their_own() -> None:
+    made, mouth, _ = recorded()
+    other, nose, _ = recorded(4.0)
+    both = dataclasses.replace(made, media={**made.media, **other.media})
+    found = heard(inspiration(0.5, noise(source=mouth, source_nose=nose), mouth=0.65, nose=0.35), both)
+    assert [(onset.instrument, onset.media, onset.media_duration) for onset in found] == [
+        (RECORDING, mouth, 5.0),
+        (RECORDING, nose, 4.0),
+    ]
+    levels = [decibels(onset.controls["level"]) for onset in found]
+    assert levels == pytest.approx([REFERENCE_DB - 24 + decibels(0.65), REFERENCE_DB - 30 + decibels(0.35)])
+    half = heard(inspiration(0.5, noise(source_nose=nose), mouth=0.65, nose=0.35), both)
+    assert [onset.instrument for onset in half] == ["scorebreath_mouth_male", RECORDING]
+
+
 @given(NOISES)
 def test_a_recording_begins_where_enough_of_it_is_left(seed: int) -> None:
     made, name, _ = recorded()
