@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from math import exp, pi
 from typing import Any, Literal
 
 from scorebreath.compose import parts, sounds, timing
@@ -11,6 +10,7 @@ from scorebreath.compose.chances import Chances
 from scorebreath.compose.lungs import TOP, Levels, levels
 from scorebreath.compose.sounds import Air
 from scorebreath.compose.state import BodyState
+from scorebreath.equations.shapes import HIGHEST_FLOW
 from scorebreath.parameters.derive import LowLevel
 from scorebreath.parameters.modifiers import Modifiers, modifiers
 from scorebreath.parameters.table import Parameters
@@ -34,8 +34,6 @@ from scorebreath.units import snap
 
 FACE_LEAD = 0.08
 """s that mouth and nostrils move ahead of the flow (physiology 6, 8)."""
-STEEPNESS: dict[Profile, float] = {"linear": 1.0, "sine": pi / 2, "exponential": 4.0 / (1.0 - exp(-4.0))}
-"""Highest flow of each profile, relative to its mean."""
 InspirationKind = Literal["speech", "tidal", "gasp", "sigh", "sniff"]
 ExpirationKind = Literal["speech", "tidal", "audible", "sigh", "laugh"]
 
@@ -129,7 +127,7 @@ class Placer:
         length = snap(timing.unhurried(length, moved, self.state.person.vital_capacity))
         nose = self.low.amplitude_sound_nose if nose is None else nose
         mouth = self.low.amplitude_sound_mouth if mouth is None else mouth
-        flow = moved / length * STEEPNESS["sine"] if length > 0 else 0.0
+        flow = moved / length * HIGHEST_FLOW["sine"] if length > 0 else 0.0
         air = replace(air or Air(), flow=flow, length=length, nose=nose, mouth=mouth, peak=peak)
         noise = sounds.noise(self.state, self.modifiers, self.chances, air, purpose=f"{what}.noise")
         nostril, lips = self._face(opening, nose, mouth)
@@ -164,7 +162,7 @@ class Placer:
         """Breathe out to a volume, heard where `air` is given."""
         to = snap(min(self.volume, max(self.levels.floor, to)))
         moved = self.volume - to
-        steepness = STEEPNESS[profile] / (PUFF_SHARE if puffs else 1.0)
+        steepness = HIGHEST_FLOW[profile] / (PUFF_SHARE if puffs else 1.0)
         length = snap(timing.unhurried(length, moved, self.state.person.vital_capacity, steepness))
         noise = None
         if air is not None:

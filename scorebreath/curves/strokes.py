@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from math import pi
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -28,19 +27,13 @@ class Way(NamedTuple):
     """share of the volume that has moved"""
     flow: Callable[[Array, Array], Array]
     """its derivative: flow relative to the mean"""
-    highest: float
-    """of `flow`"""
 
 
 WAYS: Mapping[Profile, Way] = MappingProxyType(
     {
-        "linear": Way(lambda x, _: x, lambda x, _: np.ones_like(x), 1.0),
-        "sine": Way(shapes.sine_volume, shapes.sine_flow, 0.5 * pi),
-        "exponential": Way(
-            lambda x, _: shapes.exponential_volume(x),
-            lambda x, _: shapes.exponential_flow(x),
-            float(shapes.exponential_flow(0.0)),
-        ),
+        "linear": Way(lambda x, _: x, lambda x, _: np.ones_like(x)),
+        "sine": Way(shapes.sine_volume, shapes.sine_flow),
+        "exponential": Way(lambda x, _: shapes.exponential_volume(x), lambda x, _: shapes.exponential_flow(x)),
     }
 )
 """Every profile a breath can have."""
@@ -142,7 +135,7 @@ def peak_flow(event: VolumeEvent, person: Person) -> float:
         return 0.0
     moved = (event.to_volume - event.from_volume) * person.vital_capacity
     steepest = max((s.end_share - s.begin_share) / (s.end - s.onset) for s in strokes_of(event))
-    return moved * steepest * WAYS[event.profile].highest
+    return moved * steepest * shapes.HIGHEST_FLOW[event.profile]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,6 +5,8 @@ Every function works element by element, so one sample's value never depends on 
 
 from __future__ import annotations
 
+from types import MappingProxyType
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -107,6 +109,10 @@ def _half_turns(progress: ArrayLike, peak: ArrayLike) -> tuple[Array, Array, Arr
 
 TIME_CONSTANTS = 4.0
 """Of the chest's recoil in one exponential expiration: at rest Te = 2.1 s, so tau = 0.53 s (physiology 1.6)."""
+HIGHEST_FLOW = MappingProxyType(
+    {"linear": 1.0, "sine": np.pi / 2, "exponential": float(TIME_CONSTANTS / -np.expm1(-TIME_CONSTANTS))}
+)
+"""Highest flow of each profile, relative to its mean."""
 
 
 def exponential_volume(progress: ArrayLike) -> Array:
