@@ -12,6 +12,7 @@ import pytest
 from scorebreath.curves.curve_set import curves
 from scorebreath.curves.strokes import WAYS, peak_flow, soundings_of, strokes_of
 from scorebreath.equations.breath import FLOW_EXPONENT, LOUD
+from scorebreath.equations.shapes import HIGHEST_FLOW
 from scorebreath.errors import ScoreError
 from scorebreath.score.document import Person
 from scorebreath.score.events import Expiration, Hold, Inspiration, Lead, Noise
