@@ -32,7 +32,8 @@ LONGEST = 12.5
 RATE = 5.0
 """Syllables a second at prosody_rate 1 (physiology 1.1)."""
 CAPACITY_EXPONENT = 0.15
-"""How groups grow with `capacity_lung`: hardly (physiology 0.2, trap 3; the papers' is 0.5)."""
+"""How groups grow with `capacity_lung`: hardly (DiVA su-182407: no significant relation in 8 people; the papers have
+the square root, B37)."""
 RATE_EXPONENT = 0.7
 """How they grow with the speaking rate: 1.3 times as fast gives 1.2 times the syllables (physiology 1.5)."""
 
