@@ -87,7 +87,8 @@ class Natural(Chunker):
         """Marks before the first word of a text."""
         super().begin(marks)
         self._timeline.heed(marks)
-        self._lattice = Lattice(self._timeline.start())
+        if not len(self._lattice):
+            self._lattice = Lattice(self._timeline.start())
 
     def cut(self, text: Sequence[Unit], over: bool) -> Cut | None:
         """The next cut of the cheapest plan, once it is certain."""
@@ -127,7 +128,7 @@ class Natural(Chunker):
             cuts = lattice.plan()
             tired = self._settle(text, cuts)
             tired = tired and lattice.boundaries[known].site == "tag"
-            self._lattice = Lattice(self._timeline.start(), recovering=tired)
+            self._lattice = Lattice(lattice.start(known), recovering=tired)
         elif lattice.certain():
             self._settle(text, lattice.plan(), 1)
             lattice.reroot()
