@@ -1,9 +1,9 @@
-"""Makes docs/images/states.png and prints the table of docs/states.md: one text read in four states.
+"""Makes docs/images/states.png and the tables of docs/states.md: one text read in four states.
 
     python docs/images/states.py
 
-What the table says is measured in sound, not in the Scores. Each reading is rendered with its breaths and without them;
-times are the same, so the second sound is the speech alone, and the difference of the two the breaths alone.
+What the first table says is measured in sound, not in the Scores. Each reading is rendered with its breaths and
+without them; times are the same, so the second sound is the speech alone, and the difference of the two the breaths.
 """
 
 from __future__ import annotations
@@ -22,6 +22,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from scorebreath.curves import curves
+from scorebreath.report.norms import Norms, norms
+from scorebreath.report.norms.words import figure_said
 from scorebreath.score.document import Score
 from scorebreath.score.files import load
 
@@ -43,6 +45,13 @@ FAINT_DB = -40.0
 SHORTEST = 0.10
 """s; breaths and pauses are at least that long"""
 
+NORMS = (
+    "group_with_inspiration", "syllables", "cycle_rate", "inspiration", "inspiratory_fraction", "breath_pause",
+    "initiation", "termination", "excursion", "volume_per_syllable", "breath_level", "centroid",
+)  # fmt: skip
+TOLD = {"outside: below": " (below)", "outside: above": " (above)", "outside": " (outside)"}
+MARK = "<!-- made by docs/images/states.py -->"
+
 Array = NDArray[np.float64]
 
 
@@ -62,8 +71,8 @@ def main() -> None:
         heard = {name: listen(out) for name, out in made.items()}
         scores = {name: load(out / "score.json")[0] for name, out in made.items()}
         draw(scores, heard)
-        for line in table(heard):
-            print(line)
+        kinds = {name: norms(score, made[name] / "mix.wav") for name, score in scores.items()}
+        write([*table(heard), "", *beside_norms(kinds)])
 
 
 def render(name: str, options: tuple[str, ...], folder: Path) -> Path:
@@ -127,6 +136,26 @@ def measure(heard: Heard) -> dict[str, str]:
         "peak of a breath re speech, dB, median": f"{np.median(loudest):.1f}",
         "the same, 5 to 95 %": " to ".join(f"{value:.0f}" for value in np.percentile(loudest, [5, 95])),
     }
+
+
+def beside_norms(readings: dict[str, Norms]) -> list[str]:
+    """Lines of a Markdown table: means, and where they leave what is published of neutral speakers."""
+    lines = [f"| norm | {' | '.join(readings)} | published |", "|---|" + "---|" * (len(readings) + 1)]
+    for name in NORMS:
+        results = [reading[name] for reading in readings.values()]
+        row = results[0].row
+        cells = [f"{r.value:.{row.digits}f}{TOLD.get(str(r.verdict), '')}" for r in results if r.value is not None]
+        published = "; ".join(figure_said(one.figure, row.unit) for one in results[1].compared[:1])
+        lines.append(f"| {row.title}{', ' + row.unit if row.unit else ''} | {' | '.join(cells)} | {published} |")
+    return lines
+
+
+def write(lines: list[str]) -> None:
+    """Put the tables between their marks."""
+    page = HERE.parent / "states.md"
+    before, _, rest = page.read_text(encoding="utf-8").partition(MARK)
+    after = rest.partition(MARK)[2]
+    page.write_text("\n".join([before + MARK, "", *lines, "", MARK + after]), encoding="utf-8")
 
 
 def draw(scores: dict[str, Score], heard: dict[str, Heard]) -> None:
