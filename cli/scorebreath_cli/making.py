@@ -103,6 +103,7 @@ class Compiler:
         from scorebreath.pipeline import compile_text
         from scorebreath.script.decode import decode
 
+        cast = options.casting()
         parameters, states, markup = options.parameters(), options.begin(), options.kind_of_markup()
         text = decode(source.data, source.name)
         language = options.language or language_of(text, markup, source.name)
@@ -125,10 +126,13 @@ class Compiler:
             markup=markup,
             states=states,
             voices=lambda name: self.voice(name, language),
+            cast=cast,
             recordings=self._recordings(media),
             on_progress=lambda fraction: self._printer.progress("speak", fraction),
         )
         self._printer.progress("speak", 1.0)
+        for idle in cast.keys() - {name for name, _ in self._voices}:
+            self._printer.note(f"--cast {idle}: the text does not change to that voice")
         return score
 
     def __enter__(self) -> Self:

@@ -99,6 +99,14 @@ State = Annotated[
         autocompletion=complete_states, rich_help_panel=COMPILING,
     ),
 ]  # fmt: skip
+Cast = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--cast", metavar="VOICE=PRESET",
+        help="Who speaks with a voice that the text changes to, such as espeak:en-us+f3=woman; may be repeated.",
+        rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
 Markup = Annotated[
     str | None,
     typer.Option(

@@ -35,6 +35,7 @@ class CompileOptions:
     presets: tuple[str, ...] = ()
     assignments: tuple[str, ...] = ()
     states: tuple[str, ...] = ()
+    cast: tuple[str, ...] = ()
     markup: str | None = None
     breaths: str | None = None
     seed: int | None = None
@@ -77,6 +78,23 @@ class CompileOptions:
         values.update(parse_assignment(text) for text in self.assignments)
         flags = {"breath_sound": self.breath_sound, "breath_motion": self.breath_motion}
         return values | {name: flag for name, flag in flags.items() if flag is not None}
+
+    def casting(self) -> dict[str, Parameters]:
+        """Parameters of those who speak with another voice: as everybody's, and what their presets set.
+
+        Raises:
+            InputError: It does not say who, or there is no such preset.
+        """
+        from scorebreath.parameters.presets import load_preset
+        from scorebreath.parameters.table import Parameters
+
+        values: dict[str, dict[str, Any]] = {}
+        for given in self.cast:
+            voice, _, preset = (part.strip() for part in given.rpartition("="))
+            if not voice or not preset:
+                raise InputError(f"--cast {shortened(given, 40)}: expected VOICE=PRESET, such as espeak:en-us+f3=woman")
+            values[voice] = values.get(voice, self.values()) | dict(load_preset(preset).values)
+        return {voice: Parameters(**own) for voice, own in values.items()}
 
     def begin(self) -> dict[str, float]:
         """Name and intensity of every state the body begins in.

@@ -20,6 +20,7 @@ GIVEN: dict[str, tuple[Any, str]] = {
     "presets": (("nose",), "--preset"),
     "assignments": (("nose_share=1",), "--set"),
     "states": (("anxious",), "--state"),
+    "cast": (("tone=woman",), "--cast"),
     "markup": ("none", "--markup"),
     "breaths": ("breaths", "--breaths"),
     "seed": (0, "--seed"),
@@ -89,3 +90,26 @@ def test_what_comes_later_wins(tmp_path: Path) -> None:
 def test_wrong_assignments_are_refused(text: str) -> None:
     with pytest.raises(ParameterError):
         CompileOptions(assignments=(text,)).parameters()
+
+
+def test_states_are_names_and_intensities() -> None:
+    assert CompileOptions(states=("anxious=0.8", "fatigue")).begin() == {"anxious": 0.8, "fatigue": 1.0}
+    for wrong in ("anxious=2", "anxious=", "anxious=nan", "anxous=0.5", "=1", "anxious=-0.1"):
+        with pytest.raises(InputError):
+            CompileOptions(states=(wrong,)).begin()
+
+
+def test_who_speaks_with_another_voice_is_cast() -> None:
+    options = CompileOptions(assignments=("motion_gain=2",), cast=("espeak:en-us+f3=woman", "tone=child"))
+    cast = options.casting()
+    assert (cast["espeak:en-us+f3"].sex, cast["espeak:en-us+f3"].motion_gain) == ("female", 2.0)
+    assert cast["tone"].age < 18
+    for wrong in ("woman", "=woman", "tone=", "tone=nobody"):
+        with pytest.raises(InputError):
+            CompileOptions(cast=(wrong,)).casting()
+
+
+def test_kinds_of_markup_are_known() -> None:
+    assert CompileOptions().kind_of_markup() == "auto"
+    with pytest.raises(InputError, match="tags, ssml, none"):
+        CompileOptions(markup="xml").kind_of_markup()

@@ -24,6 +24,7 @@ def compile_(
     preset: o.Preset = None,
     assign: o.Assign = None,
     state: o.State = None,
+    cast: o.Cast = None,
     markup: o.Markup = None,
     breaths: o.Breaths = None,
     seed: o.Seed = None,
@@ -43,8 +44,8 @@ def compile_(
     """
     options = CompileOptions(
         voice=voice, model=model, presets=tuple(preset or ()), assignments=tuple(assign or ()),
-        states=tuple(state or ()), markup=markup, breaths=breaths, seed=seed, language=language, poem=poem,
-        lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
+        states=tuple(state or ()), cast=tuple(cast or ()), markup=markup, breaths=breaths, seed=seed,
+        language=language, poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
     )  # fmt: skip
     with reporting(lambda: printers.make(json_lines, script), debug=debug) as printer:
         from scorebreath.errors import InputError
