@@ -130,11 +130,12 @@ def compile_text(
     if not groups:
         _go_on(main, breathing.rest(main.state, clock, "rest"))
         _go_on(main, breathing.act(main.state, script.marks, "act"))
-    for who in performers.values():
-        _go_on(who, breathing.finish(who.state))
     clock = max(who.state.time for who in performers.values())
-    end = snap(clock + snap(tail))
-    main.events.append(_silence("end", clock, snap(tail)))
+    for who in performers.values():
+        _go_on(who, breathing.rest(who.state, clock, "rest"))
+        _go_on(who, breathing.finish(who.state, snap(tail)))
+    end = max(who.state.time for who in performers.values())
+    main.events.append(_silence("end", clock, snap(end - clock)))
     for who in performers.values():
         _go_on(who, breathing.rest(who.state, end, "rest"))
     events = tuple(event for who in performers.values() for event in who.events)

@@ -51,13 +51,14 @@ def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
     return placer.done(site=spoken.group.cut.site)
 
 
-def finish(state: BodyState) -> tuple[BodyState, list[Event]]:
-    """Nothing: the driver is back at 0, unless an act has left something in the lungs."""
+def finish(state: BodyState, tail: float = 0.0) -> tuple[BodyState, list[Event]]:
+    """Nothing for `tail` seconds: the driver is back at 0, unless an act has left something in the lungs."""
     if state.volume == 0.0:
-        return state, []
+        return replace(state, time=snap(state.time + tail)), []
     chances = Chances(seed=state.seed, body=state.body, place="end")
     placer = Placer(state=state, id=f"{state.body}.end", chances=chances)
     relax(placer, RELAXATION)
+    placer.time = snap(placer.time + tail)
     return placer.done()
 
 

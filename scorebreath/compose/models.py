@@ -23,8 +23,8 @@ class BreathingModel:
     """the body that breathes"""
     step: Callable[[BodyState, Spoken], tuple[BodyState, list[Event]]]
     """places one group"""
-    finish: Callable[[BodyState], tuple[BodyState, list[Event]]]
-    """what follows the last group"""
+    finish: Callable[[BodyState, float], tuple[BodyState, list[Event]]]
+    """what follows the last group, and so many seconds more"""
     rest: Callable[[BodyState, float, str], tuple[BodyState, list[Event]]]
     """what it does until a time while it has nothing to say; the text names what for"""
     act: Callable[[BodyState, tuple[Mark, ...], str], tuple[BodyState, list[Event]]]

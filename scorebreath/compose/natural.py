@@ -14,7 +14,7 @@ from dataclasses import replace
 from scorebreath.compose import acts, marked, parts, timing
 from scorebreath.compose.acts import Asked, asked
 from scorebreath.compose.chances import Chances
-from scorebreath.compose.idle import RELAXATION, relax, wait
+from scorebreath.compose.idle import RELAXATION, wait
 from scorebreath.compose.lungs import TOP, initiation
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import INITIAL_DB, Air
@@ -55,6 +55,8 @@ def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
     placer.feel()
     _sigh_by_itself(placer)
     _inspire(placer, spoken, breath)
+    edge = timing.delay(placer.p, placer.modifiers, placer.chances)
+    placer.hold("ready", edge, rule="physiology 1.4")
     for mark in named:
         placer.marker(mark, placer.time)
     _speak(placer, spoken)
@@ -63,10 +65,10 @@ def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
     return placer.done(site=spoken.group.cut.site)
 
 
-def finish(state: BodyState) -> tuple[BodyState, list[Event]]:
-    """Back to rest after the last word."""
+def finish(state: BodyState, tail: float = 0.0) -> tuple[BodyState, list[Event]]:
+    """Back to rest after the last word, and on breathing for `tail` seconds more."""
     placer = _alone(state, "end")
-    relax(placer, RELAXATION)
+    wait(placer, snap(placer.time + RELAXATION + tail), "physiology 1.6: after speech")
     return placer.done()
 
 
@@ -162,8 +164,6 @@ def _per_syllable(placer: Placer) -> float:
 def _speak(placer: Placer, spoken: Spoken) -> None:
     """The parts of a group, each spoken on the same breath, with what stands between them."""
     per_syllable = _per_syllable(placer)
-    edge = timing.delay(placer.p, placer.modifiers, placer.chances)
-    placer.hold("ready", edge, rule="physiology 1.4")
     for number, said in enumerate(spoken.parts):
         if number:
             _between(placer, spoken, said, number)

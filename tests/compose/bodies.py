@@ -87,5 +87,5 @@ def perform(
         )
         state, placed = breathing.step(state, group)
         events += placed
-    state, placed = breathing.finish(state)
+    state, placed = breathing.finish(state, 0.0)
     return [*events, *placed], state

@@ -128,9 +128,7 @@ def test_text_that_arrives_in_pieces_makes_the_same_events(voice: Voice, model: 
     for spoken in speak(arriving(), lambda _: voice, MemoryStore(), p):
         state, placed = breathing.step(state, spoken)
         events += placed
-    state, placed = breathing.finish(state)
-    events += placed
-    events += breathing.rest(state, whole.duration, "rest")[1]
+    events += breathing.finish(state, 1.0)[1]
     assert tuple(events) == tuple(e for e in whole.events if not (isinstance(e, Pause) and e.kind in ("start", "end")))
 
 
