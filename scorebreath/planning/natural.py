@@ -203,7 +203,7 @@ class Natural(Chunker):
 
 def _ends(found: Boundary) -> bool:
     """Whether a group ends there whatever it costs."""
-    return found.site == "tag" or (found.site == "paragraph" and found.breathing < FORBIDDEN)
+    return found.site == "tag" or (found.site == "paragraph" and found.breathing < FORBIDDEN / 2.0)
 
 
 def _syllables(units: Sequence[Unit]) -> int:

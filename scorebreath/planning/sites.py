@@ -42,8 +42,8 @@ class Habits:
 
 
 # What was measured with espeak on four texts of 2,000 to 2,650 words (a chapter of Alice in Wonderland, the
-# introduction to the proceedings of a conference, an act of As You Like It, German prose of four authors), seeds 0 to 2,
-# seconds from the inspiration to the last phone, lowest and highest of the twelve:
+# introduction to the proceedings of a conference, an act of As You Like It, German prose of four authors), seeds 0 to
+# 2, seconds from the inspiration to the last phone, lowest and highest of the twelve:
 #
 #     reading       mean 3.5-4.7, SD 1.2-1.9, longest 8.8; at punctuation 90.7-100 %, the rest before clauses and at
 #                   line ends; physiology 10 asks for 3.3-4.8, 1.0-2.2, 12.6; 90 %

@@ -166,6 +166,7 @@ def test_a_paragraph_may_end_without_a_breath() -> None:
     text = "The old man went home\n\nand slept until the evening."
     assert len(groups("natural", text, {})) == 2
     (group,) = groups("natural", text, {4: (NO_BREATH,)})
+    assert len(groups("natural", "the bread\n\nextraordinarily", {1: (NO_BREATH,)})) == 1
     assert [part.site for part in group.parts[1:]] == ["paragraph"]
 
 
