@@ -18,7 +18,7 @@ FASTEST_FLOW = 8.0
 """L/s, the most a chest can do (physiology 10)."""
 NEUTRAL_VARIATION = 0.15
 """At which the parameters' own spreads hold; states make breathing more or less regular (physiology 4.2)."""
-OWN_SHARE = 0.85
+OWN_SHARE = 0.6
 """Of the spread of lengths, what is not already due to the spread of depths (`for_depth`)."""
 SMALL_VOLUME = 0.03
 """Fraction of VC, see `for_depth`."""
@@ -48,16 +48,16 @@ def speech_inspiration(
 
 
 def for_depth(moved: float, usual: float) -> float:
-    r"""How much longer a breath takes that is deeper than usual: :math:`((V + v) / (V_0 + v))^{0.35}`, in 0.75..1.35.
+    r"""How much longer a breath takes that is deeper than usual: :math:`((V + v) / (V_0 + v))^{0.3}`, in 0.75..1.35.
 
     Breaths are drawn deeper partly by faster and partly by longer flow; their lengths and depths go together over a
     speaker's breaths with r = 0.3 to 0.6 (physiology 1.3). :math:`v` keeps the smallest breaths from counting double.
 
     >>> [round(for_depth(volume, 0.16), 3) for volume in (0.16, 0.25, 0.09)]
-    [1.0, 1.145, 0.851]
+    [1.0, 1.123, 0.871]
     """
     ratio = (max(0.0, moved) + SMALL_VOLUME) / (max(0.0, usual) + SMALL_VOLUME)
-    return min(1.35, max(0.75, exp(0.35 * log(ratio))))
+    return min(1.35, max(0.75, exp(0.3 * log(ratio))))
 
 
 def unhurried(length: float, volume: float, vital_capacity: float, steepness: float = pi / 2) -> float:

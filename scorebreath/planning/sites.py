@@ -39,16 +39,19 @@ class Habits:
     """x preferred length of a group"""
     spread: float
     """sigma of the lognormal cost of a group's length"""
+    budget: float
+    """share of the preferred length from which on a boundary is passed at a cost"""
 
 
-# What was measured with espeak on four texts of 2,000 to 2,650 words (a chapter of Alice in Wonderland, the
-# introduction to the proceedings of a conference, an act of As You Like It, German prose of four authors), seeds 0 to
-# 2, seconds from the inspiration to the last phone, lowest and highest of the twelve:
+# What was measured with espeak on three texts of 2,000 to 2,650 words (a chapter of Alice in Wonderland, the
+# introduction to the proceedings of a conference, an act of As You Like It), seeds 0 to 2, seconds from the inspiration
+# to the last phone, and of the speech alone; lowest and highest of the nine:
 #
-#     reading       mean 3.5-4.7, SD 1.2-1.9, longest 8.8; at punctuation 90.7-100 %, the rest before clauses and at
-#                   line ends; physiology 10 asks for 3.3-4.8, 1.0-2.2, 12.6; 90 %
-#     spontaneous   mean 4.3-4.8, SD 1.7-2.0, longest 10.7; at punctuation 63-88 %, there or before a clause 69-92 %;
-#                   people: 4.4-4.9, 1.9; 60-90 %; 69 % (Wang et al. 2010; Henderson et al. 1965: physiology 1.1, 1.2)
+#     reading       mean 4.0-4.9, alone 3.4-4.2, SD 1.3-1.75, longest 9.0; at punctuation 91-100 %, the rest before
+#                   clauses and at line ends; physiology 10 asks for 3.3-4.8 (speech alone), 1.0-2.2, 12.6; 90 %
+#     spontaneous   mean 4.5-4.7, alone 3.8-4.1, SD 1.8-2.1, longest 10.6; at punctuation 61-89 %, there or before a
+#                   clause 68-92 %; people: 4.4-4.9, 1.9; 60-90 %; 69 % (Wang et al. 2010; Henderson et al. 1965:
+#                   physiology 1.1, 1.2)
 #
 # From paragraph to comma the weights of reading are those of physiology 1.2. Clause, phrase and word are lower than
 # there (0.35, 0.12, 0.03): those are chances at one place, and a plan passes many such places between two commas. With
@@ -65,7 +68,7 @@ HABITS: Mapping[Style, Habits] = MappingProxyType(
                 "comma": 0.50,
                 "line": 0.30,
                 "marker": 0.90,
-                "clause": 0.07,
+                "clause": 0.05,
                 "phrase": 0.012,
                 "word": 0.002,
             },
@@ -73,16 +76,17 @@ HABITS: Mapping[Style, Habits] = MappingProxyType(
             clinging=0.0002,
             variation=0.25,
             unevenness=0.35,
-            length=1.05,
-            spread=0.7,
+            length=1.0,
+            spread=0.6,
+            budget=0.7,
         ),
         "spontaneous": Habits(
             readiness={
                 "paragraph": 1.0,
-                "sentence": 0.85,
+                "sentence": 0.80,
                 "semicolon": 0.45,
                 "comma": 0.20,
-                "line": 0.10,
+                "line": 0.05,
                 "marker": 0.90,
                 "clause": 0.10,
                 "phrase": 0.04,
@@ -92,8 +96,9 @@ HABITS: Mapping[Style, Habits] = MappingProxyType(
             clinging=0.001,
             variation=1.4,
             unevenness=0.55,
-            length=1.13,
+            length=1.16,
             spread=0.5,
+            budget=0.35,
         ),
     }
 )

@@ -11,8 +11,8 @@ from scorebreath.parameters.table import Parameters
 SPREAD = 0.65
 """Sigma of the lognormal cost of a group's length. Measured groups spread by 0.385 (physiology 1.1), but those are
 outcomes, and the cheapest plan keeps clear of the tails: a milder cost makes its groups spread as widely."""
-BUDGET = 0.35
-"""Share of the preferred length from which on a boundary is passed at a cost (physiology 1.2: 0.6)."""
+BUDGET = 0.6
+"""Share of the preferred length from which on a boundary is passed at a cost (physiology 1.2), where nothing is said."""
 EASY = 0.27
 """Vital capacity that a breath uses with ease: from 52 % (usual initiation) to 25 % (lowest termination;
 physiology 2.2)."""
@@ -65,7 +65,7 @@ class Start:
         return self.tired if recovering else self.fresh
 
 
-def start(preferred: float, most: int, volume: float, *, spread: float = SPREAD) -> Start:
+def start(preferred: float, most: int, volume: float, *, spread: float = SPREAD, budget: float = BUDGET) -> Start:
     """A start.
 
     Args:
@@ -73,6 +73,7 @@ def start(preferred: float, most: int, volume: float, *, spread: float = SPREAD)
         most: Syllables one breath holds.
         volume: Of one syllable, fraction of the person's vital capacity.
         spread: Sigma of the lognormal cost of a group's length.
+        budget: Share of `preferred` from which on boundaries are passed at a cost.
     """
     fresh = length_costs(preferred, most, volume, spread)
     tired = (cost + RECOVERY * min(1.0, n * volume / EASY) for n, cost in enumerate(fresh))
@@ -80,7 +81,7 @@ def start(preferred: float, most: int, volume: float, *, spread: float = SPREAD)
         preferred=preferred,
         fresh=tuple(fresh),
         tired=tuple(tired),
-        budget=ceil(BUDGET * preferred),
+        budget=ceil(budget * preferred),
         much=int(MUCH / volume),
         most=most,
     )

@@ -122,6 +122,7 @@ class Timeline:
             starts.most_syllables(p, volume, here.shift / SHIFTS, rate),
             starts.syllable_volume(p) * volume,
             spread=self._habits.spread,
+            budget=self._habits.budget,
         )
 
     def _now(self) -> Modifiers:

@@ -163,11 +163,13 @@ def exhaustive(stretch: Stretch, first: Start) -> float:
 
 
 def test_certain_groups_come_before_the_paragraph_is_over() -> None:
-    """One sentence later, where the sentences are as long as a breath: the next one might have been "Yes."."""
+    """A sentence or two later, where the sentences are as long as a breath: the next one might have been "Yes."."""
     planner = Natural(Parameters(), "en", vowel_counter)
     text = "The old man went down to the harbour every morning before the sun was up. " * 6
     released = [len(list(planner.feed(sentence))) for sentence in sentences(text)]
-    assert released == [0, 1, 1, 1, 1, 1]
+    known = list(accumulate(released))
+    assert all(count >= sentence - 2 for sentence, count in enumerate(known, 1))
+    assert known[-1] == 5
 
 
 def test_a_very_short_sentence_shares_a_breath() -> None:
@@ -333,7 +335,7 @@ def test_settling_early_does_not_change_the_plan_of_a_long_paragraph(monkeypatch
     even = replace(READING, variation=0.0, unevenness=0.0, length=1.0)
     monkeypatch.setattr(natural, "HABITS", {"reading": even})
     planner = Natural(Parameters(), "en", vowel_counter)
-    whole = Lattice(start(18.0, 44, 0.009, spread=even.spread))
+    whole = Lattice(start(18.0, 44, 0.009, spread=even.spread, budget=even.budget))
     everything = units(text)
     for index, unit in enumerate(everything):
         whole.add(unit.syllables, boundary(everything, index, function_words("en")))
