@@ -30,7 +30,7 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.planning.chunker import Chunker, Cut, cut_at
 from scorebreath.planning.lattice import Lattice
 from scorebreath.planning.model import SyllableCounter
-from scorebreath.planning.sites import FORBIDDEN, HABITS, Boundary, boundary, function_words
+from scorebreath.planning.sites import FORBIDDEN, HABITS, Boundary, boundary, eased, function_words
 from scorebreath.planning.starts import RATE, most_syllables
 from scorebreath.planning.timeline import Timeline
 from scorebreath.planning.units import Unit, dividing
@@ -149,6 +149,7 @@ class Natural(Chunker):
         found = boundary(text, index, self._words, self._habits)
         harder, longer = self._variation.after(unit)
         if not _ends(found):
+            found = eased(found, self._timeline.shortness)
             found = found._replace(breathing=found.breathing + harder)
         self._lattice.add(unit.syllables, found, self._timeline.say(unit, longer))
 

@@ -111,6 +111,12 @@ PAUSE = (0.3, 0.90)
 """A pause from so many seconds on that the markup asks for is a place to breathe, as readily as at a marker."""
 JOINED = 1e-9
 """How probable a breath is inside a chain of joined words that is longer than a breath."""
+UNMARKED: frozenset[Site] = frozenset({"clause", "phrase", "word"})
+"""Boundaries without punctuation."""
+EASING = 2.0
+"""Power of the inverse length with which their readiness goes in somebody short of breath (ours)."""
+EASIEST, UNTOUCHED = log(2.0), 15.0
+"""Costs: none of them becomes more than an even chance, and what is all but impossible stays so."""
 FORBIDDEN = 1e4
 """What a breath costs where the markup forbids it: more than any other place. Only a stretch without any other place,
 longer than a breath, is cut there all the same."""
@@ -184,6 +190,25 @@ def boundary(units: Sequence[Unit], index: int, small: FunctionWords, habits: Ha
         if habits.readiness["marker"] > habits.readiness[SITES[unit.edge]] and _pauses(unit):
             return _boundary("marker", PAUSE[1])
     return _written(units, index, small, habits)
+
+
+def eased(place: Boundary, shortness: float) -> Boundary:
+    """A boundary to somebody short of breath, who breathes where there is no punctuation more readily.
+
+    Children, exertion, COPD and Parkinson's bring shorter groups and more breaths at places without punctuation
+    (physiology 1.2, 1.5): readiness there goes with the inverse square of the groups' length.
+
+    Args:
+        place: As it is to somebody with groups of usual length.
+        shortness: How long groups are, relative to that; from 1 on nothing changes.
+
+    >>> word = Boundary("word", 6.2, 0.0)
+    >>> [round(eased(word, shortness).breathing, 1) for shortness in (1.2, 1.0, 0.5, 0.3)]
+    [6.2, 6.2, 4.8, 3.8]
+    """
+    if shortness >= 1.0 or place.site not in UNMARKED or place.breathing > UNTOUCHED:
+        return place
+    return place._replace(breathing=max(EASIEST, place.breathing + EASING * log(shortness)))
 
 
 def _pauses(unit: Unit) -> bool:

@@ -12,7 +12,8 @@ SPREAD = 0.65
 """Sigma of the lognormal cost of a group's length. Measured groups spread by 0.385 (physiology 1.1), but those are
 outcomes, and the cheapest plan keeps clear of the tails: a milder cost makes its groups spread as widely."""
 BUDGET = 0.6
-"""Share of the preferred length from which on a boundary is passed at a cost (physiology 1.2), where nothing is said."""
+"""Share of the preferred length from which on a boundary is passed at a cost, if nobody says another one
+(physiology 1.2)."""
 EASY = 0.27
 """Vital capacity that a breath uses with ease: from 52 % (usual initiation) to 25 % (lowest termination;
 physiology 2.2)."""

@@ -61,6 +61,11 @@ class Timeline:
         self._modifiers: dict[tuple[tuple[str, float], ...], Modifiers] = {}
         self._starts: dict[_Steps, Start] = {}
 
+    @property
+    def shortness(self) -> float:
+        """How long groups are here and now, relative to those of a person at ease."""
+        return self._now().syllables / self._frequency
+
     def heed(self, marks: Sequence[Mark]) -> None:
         """What the markup asks for here is done, and takes its time."""
         p = self._p

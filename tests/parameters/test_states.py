@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from scorebreath.equations.breath import mix_level
 from scorebreath.errors import InputError
 from scorebreath.parameters.columns import COLUMNS, deviations
 from scorebreath.parameters.modifiers import Modifiers, modifiers
@@ -62,10 +63,11 @@ SIGNATURES: list[tuple[str, str, float, float]] = [
 
 
 def whole_db(m: Modifiers) -> float:
-    """By how much a speech breath is louder in all: what its flow does (physiology 3.1), and the rest."""
+    """By how much a speech breath is louder in all: what its flow does (physiology 3.1), its way, and the rest."""
     depth = m.syllables * m.volume + m.exhale_chance * 0.12 / 0.162
     length = m.inspiration * (0.42 + 0.18 * m.syllables) / 0.60
-    return m.breath_db + 33.2 * log10(depth / length)
+    way = mix_level(1.0 - m.nose_share, m.nose_share) - mix_level(0.65, 0.35)
+    return m.breath_db + 33.2 * log10(depth / length) + way
 
 
 def test_all_states_are_there_neutral_first() -> None:

@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Iterator
 from dataclasses import replace
 from importlib.resources import files
-from itertools import combinations
+from itertools import accumulate, combinations
 from math import exp, log
 
 import pytest
