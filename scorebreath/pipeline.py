@@ -117,8 +117,9 @@ def compile_text(
     main.events += placed
     groups: list[Group] = []
     sounds: dict[str, MediaInfo] = {}
-    planned = plan_script(script, parameters=p, model=model, count=voice.syllables, states=begun, seed=seed)
-    for spoken in speak(planned, lambda name: performer(name).voice, media, p):
+    planned = plan_script(script, parameters=p, model=model, count=voice.syllables, states=begun, seed=seed, cast=cast)
+    performed = speak(planned, lambda name: performer(name).voice, media, lambda name: performer(name).state.parameters)
+    for spoken in performed:
         who = performer(spoken.group.voice)
         groups.append(_group(spoken, who.state.body))
         sounds.update((said.media, _media_info(said)) for said in spoken.parts)
@@ -213,13 +214,14 @@ def plan_script(
     count: SyllableCounter,
     states: Sequence[StateMark] = (),
     seed: int = 0,
+    cast: Mapping[str, Parameters] | None = None,
 ) -> Iterator[BreathGroup]:
     """Breath groups of a script, as the model's planner cuts them (the papers' planners count with pyphen)."""
     blend = Blend()
     for mark in states:
         blend, _ = blend.changed(0.0, mark.name, mark.intensity, mark.ramp, held=mark.held)
     planner = open_planner(
-        model, parameters, script.language, count, poem=script.poem, blend=blend, seed=seed, body=BODY
+        model, parameters, script.language, count, poem=script.poem, blend=blend, seed=seed, body=BODY, cast=cast
     )
     return plan(planner, _counted(script.sentences, count))
 
@@ -233,7 +235,10 @@ def _counted(sentences: Sequence[Sentence], count: SyllableCounter) -> Iterator[
 
 
 def speak(
-    groups: Iterable[BreathGroup], voice_of: Callable[[str], Voice], media: MediaStore, parameters: Parameters
+    groups: Iterable[BreathGroup],
+    voice_of: Callable[[str], Voice],
+    media: MediaStore,
+    parameters_of: Callable[[str], Parameters],
 ) -> Iterator[Spoken]:
     """Have each group spoken, its samples put into `media`; a voice works ahead of whoever takes what it says."""
     places = Places()
@@ -241,7 +246,7 @@ def speak(
     for name, run in itertools.groupby(groups, key=lambda group: group.voice):
         voice = voice_of(name)
         waiting: deque[BreathGroup] = deque()
-        said = iter(voice.speak_all(_requests(run, waiting, parameters)))
+        said = iter(voice.speak_all(_requests(run, waiting, parameters_of(name))))
         while True:
             first = next(said, None)
             if first is None:

@@ -234,8 +234,8 @@ class Parameters(BaseModel):
         level="natural", source="physiology 1.4 (Trouvain 2016)",
     )  # fmt: skip
     flow_exponent: float = _row(
-        1.66, "A breath's loudness goes with its highest flow to this power; its envelope always with 1.66", low=0, high=3,
-        level="natural", source="physiology 3.1 (Gavriely & Cugell 1996)",
+        1.66, "A breath's loudness goes with its highest flow to this power; its envelope always with 1.66",
+        low=0, high=3, level="natural", source="physiology 3.1 (Gavriely & Cugell 1996)",
     )  # fmt: skip
     breath_envelope: Literal["flow", "trapezoid"] = _row(
         "flow", "Loudness of a breath over time: as its flow, or the papers' trapezoid (theirs is always that)",

@@ -21,7 +21,7 @@ All depends on the text alone, not on how it arrives. Time O(words * words in a 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import inf
 
@@ -58,6 +58,7 @@ class Natural(Chunker):
         time: When it begins, on the blend's clock, s.
         seed: Of chance.
         body: Whose chance it is.
+        cast: Parameters of those who speak with another voice, by its name.
     """
 
     def __init__(
@@ -71,6 +72,7 @@ class Natural(Chunker):
         time: float = 0.0,
         seed: int = 0,
         body: str = "body",
+        cast: Mapping[str, Parameters] | None = None,
     ) -> None:
         """Start with an empty text."""
         self.most = most_syllables(parameters)
@@ -78,7 +80,7 @@ class Natural(Chunker):
         self._soon_over = min(SOON * RATE * parameters.prosody_rate, self.most - SHORT + 1)
         self._words = function_words(language)
         self._habits = HABITS[parameters.style]
-        self._timeline = Timeline(parameters, blend or Blend(), time=time, habits=self._habits)
+        self._timeline = Timeline(parameters, blend or Blend(), time=time, habits=self._habits, cast=cast)
         self._variation = Variation(seed, body, self._habits.variation, self._habits.unevenness)
         self._settled: deque[Cut] = deque()
         self._lattice = Lattice(self._timeline.start())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Protocol
 
@@ -30,6 +31,7 @@ class Factory(Protocol):
         time: float,
         seed: int,
         body: str,
+        cast: Mapping[str, Parameters] | None,
     ) -> Planner:
         """A planner."""
 
@@ -67,6 +69,7 @@ def open_planner(
     time: float = 0.0,
     seed: int = 0,
     body: str = "body",
+    cast: Mapping[str, Parameters] | None = None,
 ) -> Planner:
     """A planner at the beginning of a text.
 
@@ -80,6 +83,7 @@ def open_planner(
         time: When it begins, on the blend's clock, s.
         seed: Of chance (`natural`).
         body: Whose chance it is.
+        cast: Parameters of those who speak with another voice, by its name (`natural`); else as the first one's.
 
     Raises:
         InputError: No such model.
@@ -87,4 +91,4 @@ def open_planner(
     factory = PLANNERS.get(model)
     if factory is None:
         raise InputError(f"model={model!r} must be one of {', '.join(PLANNERS)}{did_you_mean(model, PLANNERS)}")
-    return factory(parameters, language, count, poem, blend=blend, time=time, seed=seed, body=body)
+    return factory(parameters, language, count, poem, blend=blend, time=time, seed=seed, body=body, cast=cast)

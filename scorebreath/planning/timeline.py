@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from math import exp, log
 from typing import NamedTuple
 
@@ -13,7 +14,7 @@ from scorebreath.planning import starts
 from scorebreath.planning.sites import Habits
 from scorebreath.planning.starts import RATE, Start
 from scorebreath.planning.units import Unit
-from scorebreath.script.marks import DIVIDING, Act, BreathingMark, Mark, ProsodyMark, StateMark
+from scorebreath.script.marks import DIVIDING, Act, BreathingMark, Mark, ProsodyMark, StateMark, VoiceMark
 
 STEPS = 20
 """Steps a factor is rounded to, in an e-fold: starts within 5 % are one, so that they can be compared."""
@@ -41,6 +42,16 @@ class _Steps(NamedTuple):
     frequency: int
 
 
+@dataclass(slots=True, kw_only=True)
+class _Speaker:
+    """Whose breath it is, and what was worked out for them."""
+
+    p: Parameters
+    blend: Blend
+    modifiers: dict[tuple[tuple[str, float], ...], Modifiers] = field(default_factory=dict)
+    starts: dict[_Steps, Start] = field(default_factory=dict)
+
+
 class Timeline:
     """Goes along with the text, unit by unit.
 
@@ -49,17 +60,25 @@ class Timeline:
         blend: The states at the beginning of the text.
         time: When the text begins, on the blend's clock, s.
         habits: Of the way of speaking.
+        cast: Parameters of those who speak with another voice, by its name; else as the first one's.
     """
 
-    def __init__(self, parameters: Parameters, blend: Blend, *, time: float = 0.0, habits: Habits) -> None:
+    def __init__(
+        self,
+        parameters: Parameters,
+        blend: Blend,
+        *,
+        time: float = 0.0,
+        habits: Habits,
+        cast: Mapping[str, Parameters] | None = None,
+    ) -> None:
         """Stand before the text."""
         self.time = time
-        self._p = parameters
-        self._blend = blend
         self._habits = habits
         self._rate = self._frequency = 1.0
-        self._modifiers: dict[tuple[tuple[str, float], ...], Modifiers] = {}
-        self._starts: dict[_Steps, Start] = {}
+        self._cast = cast or {}
+        self._speakers = {"": _Speaker(p=parameters, blend=blend)}
+        self._who = self._speakers[""]
 
     @property
     def shortness(self) -> float:
@@ -68,17 +87,24 @@ class Timeline:
 
     def heed(self, marks: Sequence[Mark]) -> None:
         """What the markup asks for here is done, and takes its time."""
-        p = self._p
         for mark in marks:
-            if isinstance(mark, StateMark):
-                self._blend, _ = self._blend.changed(self.time, mark.name, mark.intensity, mark.ramp, held=mark.held)
+            who = self._who
+            if isinstance(mark, VoiceMark):
+                self._who = self._speaker(mark.voice)
+            elif isinstance(mark, StateMark):
+                who.blend, _ = who.blend.changed(self.time, mark.name, mark.intensity, mark.ramp, held=mark.held)
             elif isinstance(mark, ProsodyMark):
                 self._rate = mark.rate
             elif isinstance(mark, BreathingMark):
                 self._frequency = mark.frequency
             elif isinstance(mark, Act):
-                usual = ACT if mark.name in DIVIDING else HELD if mark.name == "hold" else p.breathless_pause
+                usual = ACT if mark.name in DIVIDING else HELD if mark.name == "hold" else who.p.breathless_pause
                 self.time += usual if mark.seconds is None else mark.seconds
+
+    def _speaker(self, voice: str) -> _Speaker:
+        if voice not in self._speakers:
+            self._speakers[voice] = _Speaker(p=self._cast.get(voice, self._speakers[""].p), blend=Blend())
+        return self._speakers[voice]
 
     def say(self, unit: Unit, longer: float = 1.0) -> Start:
         """A unit is said, and what stands behind it.
@@ -90,7 +116,7 @@ class Timeline:
         Returns:
             The start of such a group.
         """
-        p = self._p
+        p = self._who.p
         preferred = self.start().preferred
         breath = p.inspiration_base + p.silence_before_breath + p.silence_after_breath
         self.time += unit.syllables * (
@@ -113,14 +139,15 @@ class Timeline:
             rate=_step(self._rate),
             frequency=_step(self._frequency),
         )
-        if here not in self._starts:
-            if len(self._starts) >= REMEMBERED:
-                self._starts.clear()
-            self._starts[here] = self._made(here)
-        return self._starts[here]
+        made = self._who.starts
+        if here not in made:
+            if len(made) >= REMEMBERED:
+                made.clear()
+            made[here] = self._made(here)
+        return made[here]
 
     def _made(self, here: _Steps) -> Start:
-        p, volume, rate = self._p, _factor(here.volume), _factor(here.rate)
+        p, volume, rate = self._who.p, _factor(here.volume), _factor(here.rate)
         length = self._habits.length * _factor(here.length)
         return starts.start(
             starts.preferred_syllables(p, length, rate, _factor(here.frequency)),
@@ -131,13 +158,14 @@ class Timeline:
         )
 
     def _now(self) -> Modifiers:
-        levels = ((name, round(level * LEVELS) / LEVELS) for name, level in self._blend.at(self.time).items())
+        who = self._who
+        levels = ((name, round(level * LEVELS) / LEVELS) for name, level in who.blend.at(self.time).items())
         states = tuple(sorted((name, level) for name, level in levels if level))
-        if states not in self._modifiers:
-            if len(self._modifiers) >= REMEMBERED:
-                self._modifiers.clear()
-            self._modifiers[states] = modifiers(self._p, dict(states))
-        return self._modifiers[states]
+        if states not in who.modifiers:
+            if len(who.modifiers) >= REMEMBERED:
+                who.modifiers.clear()
+            who.modifiers[states] = modifiers(who.p, dict(states))
+        return who.modifiers[states]
 
 
 def _step(factor: float) -> int:

@@ -68,8 +68,8 @@ class Noise(Part):
     source_nose: str = ""
     """the same for what sounds through the nose, where that is something else; empty: as `source`"""
     envelope: Literal["trapezoid", "flow"] = "trapezoid"
-    """`trapezoid`: straight ramps (B46); `flow`: amplitude goes with flow^1.66, the flow rising over the attack and falling
-    over the release by a quarter of a sine each (physiology 3.3)"""
+    """`trapezoid`: straight ramps (B46); `flow`: amplitude goes with flow^1.66, the flow rising over the attack and
+    falling over the release by a quarter of a sine each (physiology 3.3)"""
     brightness: Number = 1.0
     """scales resonances and tilt: faster air sounds brighter (physiology 3.1)"""
 

@@ -131,3 +131,16 @@ def test_recordings_take_the_place_of_the_synthesiser(tmp_path: Path, voice: Voi
     assert len(sighs) == 1
     assert all(e.noise and e.noise.source in score.media for e in sighs)
     assert all(sha in media for sha in score.media)
+
+
+def test_a_child_says_less_on_a_breath_than_the_man_before(voice: Voice) -> None:
+    sentence = "And then the boat went down the river, and the men on board sang the old songs until the night came. "
+    text = sentence * 8 + "[voice child] " + sentence * 8
+    child = Parameters(age=8.0, height=128.0)
+    score = compile_text(text, voice=voice, media=MemoryStore(), voices=lambda _: voice, cast={"child": child})
+
+    def mean(body: str) -> float:
+        own = [group.syllables for group in score.groups if group.body == body]
+        return sum(own) / len(own)
+
+    assert mean("body2") < 0.9 * mean("body")

@@ -125,7 +125,7 @@ def test_text_that_arrives_in_pieces_makes_the_same_events(voice: Voice, model: 
     person = breathing.person(p)
     state = BodyState(body=BODY, seed=0, parameters=p, person=person, time=0.0, volume=person.resting_volume)
     state, events = breathing.rest(state, 0.5, "rest")
-    for spoken in speak(arriving(), lambda _: voice, MemoryStore(), p):
+    for spoken in speak(arriving(), lambda _: voice, MemoryStore(), lambda _: p):
         state, placed = breathing.step(state, spoken)
         events += placed
     events += breathing.finish(state, 1.0)[1]
