@@ -101,7 +101,7 @@ def _cycle(placer: Placer, end: float, usual: float) -> None:
         peak=0.5,
     )  # fmt: skip
     placer.exhale(
-        "tidal_out", level.rest, min(outward, end - placer.time), rule=rule, kind="sigh" if sighs else "tidal",
+        "tidal_out", level.rest, max(0.2, min(outward, end - placer.time)), rule=rule, kind="sigh" if sighs else "tidal",
         profile="exponential", nose=nose * gain, mouth=(1.0 - nose) * gain, opening=0.5 if nose < NOSE else 0.0,
         air=Air(kind="exhale", extra_db=QUIETER, trapezoid=(0.12, 0.7)),
     )  # fmt: skip
