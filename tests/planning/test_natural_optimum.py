@@ -219,7 +219,16 @@ def test_what_follows_a_word(
     index = next(i for i, unit in enumerate(found) if unit.words[0].text == after)
     actual = boundary(found, index, function_words("en"))
     assert actual.site == site
-    assert actual[1:] == pytest.approx((-log(probability), -log(1.0 - probability)))
+    pull = READING.sentence_pull if site == "sentence" else 0.0
+    assert actual[1:] == pytest.approx((-log(probability) - pull, -log(1.0 - probability)))
+
+
+def test_most_sentences_end_with_a_breath_however_short_they_are() -> None:
+    text = "The men came home late. The dogs ran out to the gate. Nobody had lit the lamp. " * 12
+    found = groups(text)
+    ends = sum(group.ends_sentence for group in found)
+    passed = sum(part.ends_sentence for group in found for part in group.parts[:-1])
+    assert ends / (ends + passed) >= 0.7
 
 
 def test_places_near_punctuation_are_less_ready() -> None:
