@@ -128,14 +128,14 @@ class Reader:
         return [*found, *self._close(last=True)]
 
     def _take(self, piece: str) -> None:
-        """Append to the buffer, letting go of what is done with, but for one code point."""
+        """Append to the buffer, letting go of what is done with, but for what patterns look back at."""
         if match := SURROGATE.search(piece):
             place = self._base + len(self._text) + match.start()
             raise ScriptError(
                 f"half of a surrogate pair (U+{ord(match.group()):04X}) at character {place}", expected="text"
             )
         if self._at > _TRIM or self._at * 2 > len(self._text):
-            drop = max(0, self._at - 1)
+            drop = max(0, self._at - emoticons.LONGEST)
             self._text, self._kinds = self._text[drop:], self._kinds[drop:]
             self._base += drop
             self._at -= drop
