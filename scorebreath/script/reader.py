@@ -189,10 +189,13 @@ class Reader:
         return first is not None
 
     def _first_letter(self) -> int | None:
-        """The next letter or digit that is no part of an emoticon."""
+        """The next letter or digit that is no part of an emoticon; what follows a heart may show that it is none."""
         for match in _LETTER.finditer(self._kinds, self._at):
             place = match.start()
-            near = max(self._at, place - emoticons.LONGEST), min(len(self._text), place + emoticons.LONGEST)
+            behind = self._text[max(self._at, place - emoticons.LONGEST) : place]
+            if not self._over and len(self._text) - place < _KEPT and "<" in behind:
+                return None
+            near = max(self._at, place - emoticons.LONGEST), min(len(self._text), place + _KEPT)
             if not any(span.start <= place < span.end for span in emoticons.spans(self._text, *near)):
                 return place
         return None
