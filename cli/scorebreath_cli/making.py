@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from scorebreath.speech.model import Voice
 
 
+MOST_WARNINGS = 5
+"""Warnings of a Score that are told one by one."""
 ANY_LANGUAGE = "mul"
 """What a voice without a language of its own says it speaks (ISO 639-2)."""
 
@@ -101,6 +103,7 @@ class Compiler:
         options = self.options
         self.prepare(source)
         from scorebreath.pipeline import compile_text
+        from scorebreath.score.events import WarningEvent
         from scorebreath.script.decode import decode
 
         cast = options.casting()
@@ -131,6 +134,11 @@ class Compiler:
             on_progress=lambda fraction: self._printer.progress("speak", fraction),
         )
         self._printer.progress("speak", 1.0)
+        warnings = [event.text for event in score.of(WarningEvent)]
+        for text in warnings[:MOST_WARNINGS]:
+            self._printer.note(f"{source.name}: {text}")
+        if len(warnings) > MOST_WARNINGS:
+            self._printer.note(f"{source.name}: {len(warnings) - MOST_WARNINGS} more warnings stand in the score")
         for idle in cast.keys() - {name for name, _ in self._voices}:
             self._printer.note(f"--cast {idle}: the text does not change to that voice")
         return score

@@ -7,15 +7,15 @@ it likely; either way it is placed by the function of its row.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from scorebreath.compose.idle import LONG_WAIT, wait
+from scorebreath.compose.idle import wait
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import Air, sources
 from scorebreath.score.event import Origin
 from scorebreath.score.events import Noise
-from scorebreath.script.marks import Act, ActName
+from scorebreath.script.marks import LONG_PAUSE, Act, ActName
 from scorebreath.units import snap
 
 LAUGH_RATE, LAUGH_SPREAD = 4.6, 0.12
@@ -96,8 +96,9 @@ def gasp(placer: Placer, to: float, how: Asked) -> None:
     gain = placer.p.amplitude_breathing_sound
     length = how.lasting(placer.chances.between("gasp.length", 0.30, 0.45))
     release = min(0.2, 0.05 / length)
+    deep = max(to, placer.levels.rest + 0.25, placer.volume + 0.12)
     placer.inhale(
-        "gasp", max(to, placer.levels.rest + 0.25), length, rule=how.rule, kind="gasp", origin=how.origin,
+        "gasp", deep, length, rule=how.rule, kind="gasp", origin=how.origin,
         nose=0.05 * gain, mouth=0.95 * gain, opening=2.5, peak=0.7,
         air=Air(kind="gasp", level_db=4.0, extra_db=how.level_db, delay=0.02, trapezoid=(0.6, release)),
     )  # fmt: skip
@@ -108,14 +109,17 @@ def _sniff(placer: Placer, how: Asked) -> None:
     """One or two short breaths through the nose."""
     gain = placer.p.amplitude_breathing_sound
     count = 2 if placer.chances.happens("sniff.twice", 0.35) and how.seconds is None else 1
+    base = placer.chances
     for number in range(count):
         if number:
             placer.hold("sniff_gap", 0.12, rule=how.rule, origin=how.origin)
+            placer.chances = replace(base, place=f"{base.place}/{number}")  # no two sniffs are the same
         placer.inhale(
             "sniff", placer.volume + 0.025, how.lasting(0.22), rule=how.rule, kind="sniff", origin=how.origin,
             nose=gain, mouth=0.0, opening=2.0, peak=0.35,
             air=Air(kind="sniff", level_db=3.0, extra_db=how.level_db, delay=0.01, trapezoid=(0.2, 0.35)),
         )  # fmt: skip
+    placer.chances = base
 
 
 def _laugh(placer: Placer, how: Asked) -> None:
@@ -188,7 +192,7 @@ def _pause(placer: Placer, how: Asked) -> None:
     """Silence; the body breathes at rest in a long one."""
     length = snap(how.lasting(0.5))
     placer.pause("asked", "asked", length, rule=how.rule, origin=how.origin)
-    if length >= LONG_WAIT:
+    if length >= LONG_PAUSE and not placer.papers:
         wait(placer, snap(placer.time + length), how.rule)
     else:
         placer.hold("still", length, rule=how.rule, origin=how.origin)

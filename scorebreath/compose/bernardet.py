@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scorebreath.compose import marked, parts
+from scorebreath.compose import acts, marked, parts
 from scorebreath.compose.chances import Chances
 from scorebreath.compose.idle import RELAXATION, relax
 from scorebreath.compose.placer import Placer
@@ -21,7 +21,7 @@ from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.document import Person
 from scorebreath.score.events import Event, Inspiration, Lead, Motion
-from scorebreath.script.marks import Mark
+from scorebreath.script.marks import Act, BreathingMark, Mark
 from scorebreath.units import snap
 
 
@@ -36,14 +36,12 @@ def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
     chances = Chances(seed=state.seed, body=state.body, place=spoken.place)
     placer = Placer(state=state, id=spoken.id, group=spoken.id, chances=chances)
     breath, named = marked.before(placer, spoken.group.before)
-    inspiration = _inspiration(placer, spoken, p, low)
-    if breath is not None:
-        inspiration = replace(
-            inspiration, origin="markup", rule=f"asked: {breath.written}; {inspiration.rule}",
-            kind="gasp" if breath.name == "gasp" else "speech",
-        )  # fmt: skip
-    placer.events.append(inspiration)
-    placer.time, placer.volume = snap(inspiration.end), inspiration.to_volume
+    inspiration = _asked(_inspiration(placer, spoken, p, low), breath, placer.state.breathing)
+    if breath is not None and breath.name == "gasp":
+        acts.gasp(placer, inspiration.to_volume, acts.asked(breath))
+    else:
+        placer.events.append(inspiration)
+        placer.time, placer.volume = snap(inspiration.end), inspiration.to_volume
     for mark in named:
         placer.marker(mark, placer.time)
     _speak(placer, spoken, low)
@@ -101,6 +99,27 @@ def _inspiration(placer: Placer, spoken: Spoken, p: Parameters, low: LowLevel) -
         lead=Lead(),
         noise=parts.trapezoid_noise(placer.state, spoken, onset=0.0, length=length),
     )
+
+
+def _asked(breath: Inspiration, act: Act | None, wishes: BreathingMark | None) -> Inspiration:
+    """The inspiration as long and as loud as the markup asks; its volume is the model's."""
+    if act is None and wishes is None:
+        return breath
+    length = (act.length if act else 1.0) * (wishes.length if wishes else 1.0)
+    louder = (act.level_db if act else 0.0) + (wishes.level_db if wishes else 0.0)
+    lasting = snap(act.seconds if act and act.seconds is not None else breath.duration * length)
+    shape, noise = parts.ramps(lasting), breath.noise
+    if noise is not None:
+        noise = replace(
+            noise, duration=lasting, attack=shape.attack, hold=shape.hold, release=shape.release,
+            level_db=snap(noise.level_db + louder),
+        )  # fmt: skip
+    silent = act is None and wishes is not None and wishes.silent
+    rule = f"asked: {act.written}; {breath.rule}" if act else breath.rule
+    return replace(
+        breath, duration=lasting, face=shape, noise=None if silent else noise, rule=rule,
+        origin="markup" if act else "rule",
+    )  # fmt: skip
 
 
 def _speak(placer: Placer, spoken: Spoken, low: LowLevel) -> None:

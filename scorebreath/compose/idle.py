@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scorebreath.compose import timing
 from scorebreath.compose.chances import Chances
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import Air
+from scorebreath.equations.shapes import HIGHEST_FLOW
 from scorebreath.units import snap
 
-LONG_WAIT = 2.5
-"""s of silence from which on a body breathes in it instead of waiting."""
 CYCLE = 0.65
 """Share of a resting cycle that must fit for one to begin."""
 RELAXATION = 1.0
@@ -88,7 +88,8 @@ def _cycle(placer: Placer, end: float, usual: float) -> None:
     outward = max(0.2 * length, length - inward - pause)
     inward = min(inward, length - outward)
     to = min(TOP, level.rest + depth)
-    ventilation = depth * placer.state.person.vital_capacity / usual
+    litres = placer.state.person.vital_capacity
+    ventilation = depth * litres / usual
     nose = NOSE if ventilation < ORONASAL else min(NOSE, m.nose_share)
     gain = p.amplitude_breathing_sound
     rule = "physiology 1.6"
@@ -100,9 +101,12 @@ def _cycle(placer: Placer, end: float, usual: float) -> None:
         "tidal", to, inward, rule=rule, kind="sigh" if sighs else "tidal", nose=nose * gain, mouth=(1.0 - nose) * gain,
         peak=0.5,
     )  # fmt: skip
+    out = max(0.2, min(outward, end - placer.time))
+    hurried = timing.unhurried(out, placer.volume - level.rest, litres, HIGHEST_FLOW["exponential"]) > out
     placer.exhale(
-        "tidal_out", level.rest, max(0.2, min(outward, end - placer.time)), rule=rule, kind="sigh" if sighs else "tidal",
-        profile="exponential", nose=nose * gain, mouth=(1.0 - nose) * gain, opening=0.5 if nose < NOSE else 0.0,
+        "tidal_out", level.rest, out, rule=rule, kind="sigh" if sighs else "tidal",
+        profile="sine" if hurried else "exponential",  # faster than the chest's recoil: pressed out
+        nose=nose * gain, mouth=(1.0 - nose) * gain, opening=0.5 if nose < NOSE else 0.0,
         air=Air(kind="exhale", extra_db=QUIETER, trapezoid=(0.12, 0.7)),
     )  # fmt: skip
     placer.hold("tidal_pause", snap(end - placer.time), rule=rule)

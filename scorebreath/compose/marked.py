@@ -54,6 +54,14 @@ def _name(placer: Placer, named: list[NamedMark]) -> None:
     named.clear()
 
 
+def names_first(placer: Placer, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
+    """Names right behind the last word stand where it ends; the marks that are left."""
+    count = next((n for n, mark in enumerate(marks) if not isinstance(mark, NamedMark)), len(marks))
+    for mark in marks[:count]:
+        heed(placer, mark, "")
+    return marks[count:]
+
+
 def after(placer: Placer, marks: tuple[Mark, ...]) -> None:
     """What stands behind the last word of all."""
     for number, mark in enumerate(marks):

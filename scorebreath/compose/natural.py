@@ -19,6 +19,7 @@ from scorebreath.compose.lungs import TOP, initiation
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import INITIAL_DB, Air
 from scorebreath.compose.state import BodyState, Spoken, SpokenPart
+from scorebreath.equations.breath import flow_level
 from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup
@@ -60,8 +61,9 @@ def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
     for mark in named:
         placer.marker(mark, placer.time)
     _speak(placer, spoken)
+    behind = marked.names_first(placer, spoken.group.after)
     _fall_silent(placer, spoken)
-    marked.after(placer, spoken.group.after)
+    marked.after(placer, behind)
     return placer.done(site=spoken.group.cut.site)
 
 
@@ -128,6 +130,7 @@ def _inspire(placer: Placer, spoken: Spoken, breath: Act | None) -> None:
     wishes = state.breathing
     louder = (breath.level_db if breath else 0.0) + (wishes.level_db if wishes else 0.0)
     longer = (breath.length if breath else 1.0) * (wishes.length if wishes else 1.0)
+    louder += flow_level(longer, 1.0, p.flow_exponent)  # a longer breath that is asked for is not a softer one
     longer *= timing.for_depth(to - placer.volume, need)
     length = timing.speech_inspiration(p, m, chances, syllables=syllables, site=state.site, asked=longer)
     if breath and breath.seconds is not None:

@@ -60,12 +60,13 @@ class Placer:
     levels: Levels = field(init=False)
     motion: Motion = field(init=False)
     _named: dict[str, int] = field(default_factory=dict)
-    _fixed: bool = field(init=False)
+    papers: bool = field(init=False)
+    """whether it is the papers' driver, which knows neither rest nor states"""
 
     def __post_init__(self) -> None:
         """Begin where the body is."""
         self.time, self.volume = self.state.time, self.state.volume
-        self._fixed = self.state.person.resting_volume == 0.0
+        self.papers = self.state.person.resting_volume == 0.0
         self.feel()
 
     @property
@@ -75,7 +76,7 @@ class Placer:
 
     def feel(self) -> None:
         """Take on the states of the moment."""
-        self.modifiers = modifiers(self.p, {} if self._fixed else self.state.blend.at(self.time))
+        self.modifiers = modifiers(self.p, {} if self.papers else self.state.blend.at(self.time))
         self.low = parts.low_level(self.p, self.modifiers.nose_share, 1.0 - self.modifiers.thorax_share)
         self.levels = levels(self.p, self.state.person, self.modifiers)
         self.motion = parts.motion(self.p, self.low, self.state.person, self.modifiers.tremor)
@@ -239,7 +240,7 @@ class Placer:
 
     def change(self, mark: StateMark, at: float) -> None:
         """A state begins to change."""
-        if self._fixed:
+        if self.papers:
             self.warn("no-states", f"{mark.written}: the papers' models have no states; natural has")
             return
         blend, changes = self.state.blend.changed(at, mark.name, mark.intensity, mark.ramp, held=mark.held)
@@ -256,10 +257,10 @@ class Placer:
     @property
     def thorax_share(self) -> float:
         """On the grid."""
-        return snap(self.modifiers.thorax_share if not self._fixed else 1.0 - self.p.abdomen_share)
+        return snap(self.modifiers.thorax_share if not self.papers else 1.0 - self.p.abdomen_share)
 
     def _lead(self) -> Lead:
-        return Lead() if self._fixed else Lead(mouth=FACE_LEAD, nostril=FACE_LEAD)
+        return Lead() if self.papers else Lead(mouth=FACE_LEAD, nostril=FACE_LEAD)
 
     def _face(self, opening: float, nose: float, mouth: float) -> tuple[float, float]:
         """Nostrils and mouth open where air goes; both keep still where `opening` is 0."""

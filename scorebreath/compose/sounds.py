@@ -17,7 +17,7 @@ from scorebreath.units import snap
 
 SYNTH = "synth"
 """Source of what is not recorded."""
-REFERENCE_FLOW = 0.235 * pi / 2
+REFERENCE_FLOW = 0.223 * pi / 2
 """Highest flow, VC/s, of a breath that is as loud as `breath_level`. A group of 18 syllables takes 16.2 % of VC in
 0.6 s, 0.27 VC/s on average (physiology 1.3, 2.2); most breaths are for less, and their mean level is what is asked."""
 INITIAL_DB = -3.0

@@ -159,7 +159,7 @@ class Parameters(BaseModel):
         low=0.5, high=9, level="person", source="physiology 2.1", cc=113,
     )  # fmt: skip
     resting_volume: float | None = _row(
-        None, "Volume above residual volume at rest; default: by posture", unit="fraction of VC", low=0.1, high=0.6,
+        None, "Volume above residual volume at rest; default: by posture", unit="fraction of VC", low=0.16, high=0.6,
         level="person", source="physiology 2.2", cc=112,
     )  # fmt: skip
     vocal_tract_length: float | None = _row(
@@ -218,11 +218,11 @@ class Parameters(BaseModel):
         level="natural", source="physiology 2.2", cc=111,
     )  # fmt: skip
     termination_volume: float = _row(
-        0.36, "Volume at which speech usually ends, upright", unit="fraction of VC", low=0.1, high=0.6,
+        0.36, "Volume at which speech usually ends, upright", unit="fraction of VC", low=0.16, high=0.6,
         level="natural", source="physiology 2.2 (Hixon 1973; Hoit & Hixon 1987)",
     )  # fmt: skip
     initiation_spread: float = _row(
-        0.05, "Standard deviation of the volume at which speech begins", unit="fraction of VC", low=0, high=0.2,
+        0.04, "Standard deviation of the volume at which speech begins", unit="fraction of VC", low=0, high=0.2,
         level="natural", source="physiology 2.2 (Winkworth 1994, 1995)",
     )  # fmt: skip
     recovery_share: float = _row(

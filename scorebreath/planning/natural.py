@@ -29,6 +29,7 @@ from scorebreath.parameters.states import Blend
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.chunker import Chunker, Cut, cut_at
 from scorebreath.planning.lattice import Lattice
+from scorebreath.planning.markers import LONGEST_WORD
 from scorebreath.planning.model import SyllableCounter
 from scorebreath.planning.sites import FORBIDDEN, HABITS, Boundary, boundary, eased, function_words
 from scorebreath.planning.starts import RATE, most_syllables
@@ -76,7 +77,7 @@ class Natural(Chunker):
     ) -> None:
         """Start with an empty text."""
         self.most = most_syllables(parameters)
-        super().__init__(count, self.most, poem, sentences_apart=True)
+        super().__init__(count, max(self.most, LONGEST_WORD), poem, sentences_apart=True)
         self._soon_over = min(SOON * RATE * parameters.prosody_rate, self.most - SHORT + 1)
         self._words = function_words(language)
         self._habits = HABITS[parameters.style]

@@ -72,14 +72,14 @@ HABITS: Mapping[Style, Habits] = MappingProxyType(
                 "comma": 0.50,
                 "line": 0.30,
                 "marker": 0.90,
-                "clause": 0.05,
-                "phrase": 0.012,
-                "word": 0.002,
+                "clause": 0.04,
+                "phrase": 0.008,
+                "word": 0.0015,
             },
             sentence_pull=1.0,
             comma_clause=0.60,
             clinging=0.0002,
-            variation=0.25,
+            variation=0.2,
             unevenness=0.35,
             length=1.0,
             spread=0.6,
@@ -117,12 +117,19 @@ PAUSE = (0.3, 0.90)
 """A pause from so many seconds on that the markup asks for is a place to breathe, as readily as at a marker."""
 JOINED = 1e-9
 """How probable a breath is inside a chain of joined words that is longer than a breath."""
-UNMARKED: frozenset[Site] = frozenset({"clause", "phrase", "word"})
-"""Boundaries without punctuation."""
-EASING = 2.0
-"""Power of the inverse length with which their readiness goes in somebody short of breath (ours)."""
-EASIEST, UNTOUCHED = log(2.0), 15.0
-"""Costs: none of them becomes more than an even chance, and what is all but impossible stays so."""
+EASING: Mapping[Site, tuple[float, float]] = MappingProxyType(
+    {
+        "semicolon": (2.0, -1.5),
+        "comma": (2.5, -1.5),
+        "line": (2.5, -1.0),
+        "clause": (3.5, 0.0),
+        "phrase": (3.5, 0.3),
+        "word": (3.5, 0.7),
+    }
+)
+"""Power of a group's relative length with which readiness goes, and the least cost it comes to (ours)."""
+UNTOUCHED = 15.0
+"""What costs more is all but impossible, and stays so."""
 FORBIDDEN = 1e4
 """What a breath costs where the markup forbids it: more than any other place. Only a stretch without any other place,
 longer than a breath, is cut there all the same."""
@@ -199,22 +206,25 @@ def boundary(units: Sequence[Unit], index: int, small: FunctionWords, habits: Ha
 
 
 def eased(place: Boundary, shortness: float) -> Boundary:
-    """A boundary to somebody short of breath, who breathes where there is no punctuation more readily.
+    """A boundary to somebody who says more or less on a breath than usual.
 
-    Children, exertion, COPD and Parkinson's bring shorter groups and more breaths at places without punctuation
-    (physiology 1.2, 1.5): readiness there goes with the inverse square of the groups' length.
+    Short of breath, people breathe more readily inside sentences, at punctuation and without: children, exertion, COPD
+    and Parkinson's bring shorter groups and more breaths in odd places (physiology 1.2, 1.5). Readiness there goes with
+    the inverse square of the groups' length; sentences and paragraphs end as they do.
 
     Args:
         place: As it is to somebody with groups of usual length.
-        shortness: How long groups are, relative to that; from 1 on nothing changes.
+        shortness: How long groups are, relative to that.
 
     >>> word = Boundary("word", 6.2, 0.0)
-    >>> [round(eased(word, shortness).breathing, 1) for shortness in (1.2, 1.0, 0.5, 0.3)]
-    [6.2, 6.2, 4.8, 3.8]
+    >>> [round(eased(word, shortness).breathing, 1) for shortness in (1.1, 1.0, 0.5, 0.3)]
+    [6.5, 6.2, 3.8, 2.0]
     """
-    if shortness >= 1.0 or place.site not in UNMARKED or place.breathing > UNTOUCHED:
+    if place.site not in EASING or place.breathing > UNTOUCHED:
         return place
-    return place._replace(breathing=max(EASIEST, place.breathing + EASING * log(shortness)))
+    power, least = EASING[place.site]
+    eased_ = place.breathing + power * log(shortness)
+    return place._replace(breathing=eased_ if shortness > 1.0 else min(place.breathing, max(least, eased_)))
 
 
 def _pauses(unit: Unit) -> bool:

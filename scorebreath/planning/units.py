@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from scorebreath.planning.model import SyllableCounter
-from scorebreath.script.marks import DIVIDING, Act, Mark, NoBreath, VoiceMark
+from scorebreath.script.marks import DIVIDING, LONG_PAUSE, Act, Mark, NoBreath, VoiceMark
 from scorebreath.script.model import Edge, ScriptWord, Sentence, SentenceType
 from scorebreath.spans import Span
 
@@ -147,9 +147,14 @@ class Remembering:
 def dividing(marks: Sequence[Mark]) -> Mark | None:
     """The mark before which a breath group ends whatever else stands there: a breath, a sound of one, another voice."""
     for mark in marks:
-        if isinstance(mark, VoiceMark) or (isinstance(mark, Act) and mark.name in DIVIDING):
+        if isinstance(mark, VoiceMark) or (isinstance(mark, Act) and (mark.name in DIVIDING or lasting(mark))):
             return mark
     return None
+
+
+def lasting(act: Act) -> bool:
+    """Whether it is a pause too long to hold the breath."""
+    return act.name == "pause" and (act.seconds or 0.0) >= LONG_PAUSE
 
 
 def forbids(unit: Unit) -> bool:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 ActName = Literal["breath", "sigh", "gasp", "sniff", "laugh", "exhale", "hold", "pause"]
+LONG_PAUSE = 4.0
+"""s; a pause from here on is too long to hold the breath: the body breathes at rest in it, and a new group begins."""
 DIVIDING: frozenset[ActName] = frozenset({"breath", "sigh", "gasp", "laugh", "exhale"})
 """Acts behind which a new breath is taken, or that are one: a breath group ends before them. `sniff`, `hold`, `pause`
 only part what is said on one breath."""

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from scorebreath.compose.models import MODELS, breathing_model
+from scorebreath.compose.timing import for_depth
 from scorebreath.errors import InputError
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.planners import PLANNERS
@@ -107,10 +108,16 @@ def test_natural_breaths_follow_what_is_to_be_said() -> None:
     p = Parameters(inspiration_spread=0.0, initiation_spread=0.0, breath_variability=0.0, recovery_share=0.0)
     events, _ = perform("natural", [*FORECAST, ("five", 10, 2.0, "sentence")], p)
     breaths = [e for e in events if isinstance(e, Inspiration) and e.kind == "speech"]
+    # The first begins at rest, 2 % of VC above where speech ends; the fourth is the smallest anybody draws, and leaves
+    # something for the fifth: lengths go with depths as for_depth says.
+    need = [0.108, 0.162, 0.27, 0.036, 0.09]
+    moved = [0.088, 0.162, 0.27, 0.065, 0.065]
+    usual = [0.54, 0.60, 0.72, 0.46 * 0.7, 0.52 * 1.15]
     assert [e.duration for e in breaths] == pytest.approx(
-        [0.54 * (0.118 / 0.138) ** 0.3, 0.60, 0.72, 0.46 * 0.7, 0.52 * 1.15], abs=2e-6
-    )  # the first begins at rest, 2 % of VC above where speech ends
-    assert [round(e.to_volume, 3) for e in breaths] == [0.468, 0.522, 0.63, 0.396, 0.45]
+        [t * for_depth(v, n) for t, v, n in zip(usual, moved, need, strict=True)], abs=2e-6
+    )
+    assert [round(e.to_volume, 3) for e in breaths] == [0.468, 0.522, 0.63, 0.425, 0.454]
+    assert [round(e.to_volume - e.from_volume, 3) for e in breaths] == moved
     # physiology 1.4: silences
     speeches = [e for e in events if isinstance(e, Utterance)]
     gaps = [after.onset - before.end for before, after in zip(speeches, breaths[1:], strict=False)]

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
+from scorebreath.errors import did_you_mean
 from scorebreath.parameters.states import STATES
 from scorebreath.script.marks import Act, ActName, Mark, NamedMark, NoBreath, StateMark, VoiceMark
 from scorebreath.script.markup.quantities import LONGEST_PAUSE, LONGEST_RAMP, seconds, share
@@ -88,7 +89,8 @@ def _state(rest: str, written: str) -> Mark | str:
     words = _WORD.findall(rest)
     name = states().get(words[0].lower().replace("_", "-")) if words else None
     if name is None:
-        return f"a state: [state NAME [INTENSITY] [over SECONDS] [hold]] with one of {', '.join(STATES)}"
+        meant = did_you_mean(words[0], states(), 1) if words else ""
+        return f"a state: [state NAME [INTENSITY] [over SECONDS] [hold]] with one of {', '.join(STATES)}{meant}"
     return _state_mark(name, words[1:], written)
 
 
