@@ -181,7 +181,10 @@ def _enter(
 def _opened(voices: Callable[[str], Voice] | None, name: str) -> Voice:
     if voices is None:
         raise InputError(f"the text changes to the voice {name!r}, and nobody opens voices here; pass `voices`")
-    return voices(name)
+    try:
+        return voices(name)
+    except InputError as error:
+        raise InputError(f"the text changes to the voice {name!r}: {error}") from None
 
 
 def _go_on(who: _Performer, done: tuple[BodyState, list[Event]]) -> None:
