@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from scorebreath.compose.idle import wait
+from scorebreath.compose.idle import SINKING, wait
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import Air, sources
 from scorebreath.score.event import Origin
@@ -64,7 +64,7 @@ def _breath(placer: Placer, how: Asked) -> None:
         air=Air(extra_db=how.level_db),
     )  # fmt: skip
     placer.exhale("breath_out", placer.levels.rest, how.lasting(1.1), rule=how.rule, kind="tidal", origin=how.origin,
-                  profile="exponential")  # fmt: skip
+                  profile="exponential", air=SINKING)  # fmt: skip
 
 
 def _sigh(placer: Placer, how: Asked) -> None:
@@ -88,7 +88,7 @@ def _gasp(placer: Placer, how: Asked) -> None:
     """A gasp for nothing: the breath is let go again. Before speech it is `natural`'s inspiration."""
     gasp(placer, placer.levels.rest + 0.25, how)
     placer.exhale("gasp_out", placer.levels.rest, 1.2, rule=how.rule, kind="tidal", origin=how.origin,
-                  profile="exponential")  # fmt: skip
+                  profile="exponential", air=SINKING)  # fmt: skip
 
 
 def gasp(placer: Placer, to: float, how: Asked) -> None:

@@ -13,10 +13,14 @@ from scorebreath.units import snap
 
 CYCLE = 0.65
 """Share of a resting cycle that must fit for one to begin."""
+NOTHING = 2e-6
+"""s that are no time: sums of numbers on the grid."""
 RELAXATION = 1.0
 """s from the last word back to rest."""
 DEPTH_VARIATION = 1.3
 """Depths vary so many times as much as lengths do."""
+FRACTION_VARIATION = 0.4
+"""The inspiration's share varies so many times as much (1.62 +- 0.31 s within 0.42 +- 0.03: Tobin 1983)."""
 NOSE = 0.95
 """Share of the nose at rest (physiology 1.6)."""
 ORONASAL = 37.0 / 60.0
@@ -28,7 +32,9 @@ SIGHING = 2.2
 QUIETER = -10.0
 """dB of an expiration against an inspiration of equal flow (physiology 3.2: -8; rarely audible at rest)."""
 HEARD = 0.06
-"""Volume, fraction of VC, from which on the way back up to rest is a breath to be heard and seen."""
+"""Volume, fraction of VC, from which on the way back to rest is a breath to be heard."""
+SINKING = Air(kind="exhale", extra_db=QUIETER, trapezoid=(0.12, 0.7))
+"""The sound of air that leaves a chest at ease."""
 
 
 def wait(placer: Placer, until: float, rule: str = "") -> None:
@@ -39,24 +45,19 @@ def wait(placer: Placer, until: float, rule: str = "") -> None:
         until: s.
         rule: Why it waits.
     """
-    left = until - placer.time
-    if left <= 1e-6:
-        return
-    placer.feel()
-    p, m = placer.p, placer.modifiers
-    cycle = 60.0 / (p.resting_rate * m.rate)
-    count = int(left / cycle + 1.0 - CYCLE)
-    if count == 0 or placer.state.person.resting_volume == 0.0:
-        relax(placer, min(left, RELAXATION))
-        placer.hold("rest", snap(until - placer.time), rule=rule or "physiology 1.6: at rest")
-        return
-    base = placer.chances
-    draws = [_at(base, placer, number).about("rest.length", 1.0, m.variation) for number in range(count)]
-    start, whole, passed = placer.time, sum(draws), 0.0
-    for number, draw in enumerate(draws):
-        passed += draw
-        placer.chances = _at(base, placer, number)
-        _cycle(placer, snap(start + left * passed / whole), cycle)
+    base, count = placer.chances, 0
+    while (left := until - placer.time) > NOTHING:
+        placer.feel()
+        cycle = 60.0 / (placer.p.resting_rate * placer.modifiers.rate)
+        if count == 0 and (left < CYCLE * cycle or placer.papers):
+            relax(placer, min(left, RELAXATION))
+            placer.hold("rest", snap(until - placer.time), rule=rule or "physiology 1.6: at rest")
+            return
+        placer.chances = _at(base, placer, count)
+        drawn = cycle * placer.chances.about("rest.length", 1.0, placer.modifiers.variation)
+        length = left if left < 1.5 * cycle else min(drawn, left - 0.75 * cycle)
+        _cycle(placer, snap(placer.time + length), cycle)
+        count += 1
     placer.chances = base
     placer.state = replace(placer.state, waits=placer.state.waits + count)
 
@@ -66,7 +67,8 @@ def relax(placer: Placer, length: float) -> None:
     rest = placer.levels.rest
     rule = "physiology 2.2: to the resting level"
     if placer.volume > rest:
-        placer.exhale("relax", rest, length, rule=rule, kind="tidal", peak=0.5)
+        heard = SINKING if placer.volume - rest > HEARD else None
+        placer.exhale("relax", rest, length, rule=rule, kind="tidal", peak=0.5, air=heard)
     elif placer.volume < rest:
         if rest - placer.volume > HEARD:
             placer.inhale("relax", rest, length, rule=rule, kind="tidal")
@@ -84,7 +86,7 @@ def _cycle(placer: Placer, end: float, usual: float) -> None:
         depth = max(depth, SIGHING * p.tidal_volume)
         placer.state = replace(placer.state, sighed=placer.time)
     pause = min(m.rest_pause, 0.25 * length)
-    inward = m.fraction * length
+    inward = m.fraction * length * chances.about("rest.fraction", 1.0, FRACTION_VARIATION * m.variation)
     outward = max(0.2 * length, length - inward - pause)
     inward = min(inward, length - outward)
     to = min(TOP, level.rest + depth)
@@ -94,7 +96,8 @@ def _cycle(placer: Placer, end: float, usual: float) -> None:
     gain = p.amplitude_breathing_sound
     rule = "physiology 1.6"
     if placer.volume > to - 0.5 * depth:  # full from what was before: only out
-        placer.exhale("tidal_out", level.rest, length - pause, rule=rule, kind="tidal", profile="exponential")
+        placer.exhale("tidal_out", level.rest, length - pause, rule=rule, kind="tidal", profile="exponential",
+                      air=SINKING)  # fmt: skip
         placer.hold("tidal_pause", snap(end - placer.time), rule=rule)
         return
     placer.inhale(
@@ -107,7 +110,7 @@ def _cycle(placer: Placer, end: float, usual: float) -> None:
         "tidal_out", level.rest, out, rule=rule, kind="sigh" if sighs else "tidal",
         profile="sine" if hurried else "exponential",  # faster than the chest's recoil: pressed out
         nose=nose * gain, mouth=(1.0 - nose) * gain, opening=0.5 if nose < NOSE else 0.0,
-        air=Air(kind="exhale", extra_db=QUIETER, trapezoid=(0.12, 0.7)),
+        air=SINKING,
     )  # fmt: skip
     placer.hold("tidal_pause", snap(end - placer.time), rule=rule)
 

@@ -14,7 +14,7 @@ from dataclasses import replace
 from scorebreath.compose import acts, marked, parts, timing
 from scorebreath.compose.acts import Asked, asked
 from scorebreath.compose.chances import Chances
-from scorebreath.compose.idle import RELAXATION, wait
+from scorebreath.compose.idle import NOTHING, RELAXATION, wait
 from scorebreath.compose.lungs import TOP, initiation
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import INITIAL_DB, Air
@@ -30,8 +30,6 @@ from scorebreath.units import snap
 
 VOLUME_VARIATION = 0.5
 """What a syllable takes varies from group to group by so many times as much as resting cycles do."""
-NOTHING = 2e-6
-"""s that are no time: sums of numbers on the grid."""
 MOST_IRREGULAR = 1.6
 """Times its usual spread that the depth of breaths varies at most."""
 SIGH_SPREAD = 0.3

@@ -88,7 +88,7 @@ HABITS: Mapping[Style, Habits] = MappingProxyType(
         "spontaneous": Habits(
             readiness={
                 "paragraph": 1.0,
-                "sentence": 0.80,
+                "sentence": 0.75,
                 "semicolon": 0.45,
                 "comma": 0.20,
                 "line": 0.05,
@@ -97,7 +97,7 @@ HABITS: Mapping[Style, Habits] = MappingProxyType(
                 "phrase": 0.04,
                 "word": 0.015,
             },
-            sentence_pull=0.4,
+            sentence_pull=0.2,
             comma_clause=0.25,
             clinging=0.001,
             variation=1.4,

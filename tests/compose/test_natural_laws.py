@@ -388,3 +388,25 @@ def test_heavy_breathing_at_rest_keeps_its_rate_and_share() -> None:
     assert 60 * len(cycles) / sum(cycles) == pytest.approx(42.0, abs=2.0)
     shares = [e.duration / cycle for e, cycle in zip(inward, cycles, strict=False)]
     assert sum(shares) / len(shares) == pytest.approx(0.48, abs=0.03)
+
+
+def test_states_go_on_changing_while_the_body_waits() -> None:
+    breathing = breathing_model("natural")
+    p = Parameters(breath_variability=0.0)
+    person = breathing.person(p)
+    state = BodyState(body="b", seed=0, parameters=p, person=person, time=0.0, volume=person.resting_volume)
+    mark = StateMark(at=0, written="[state]", name="exertion", intensity=1.0, ramp=0.0)
+    state, _ = breathing.act(state, (mark,), "begin")
+    _, events = breathing.rest(state, 180.0, "rest")
+    onsets = [e.onset for e in events if isinstance(e, Inspiration)]
+    early = sum(onset < 20 for onset in onsets)
+    late = sum(160 <= onset < 180 for onset in onsets)
+    assert early >= 11  # 42 a minute, and falling
+    assert 4 <= late <= 7  # 15 a minute, nearly
+
+
+def test_much_air_that_is_let_go_is_heard() -> None:
+    gasp = Act(at=1, written="[gasp]", name="gasp")
+    events, _ = perform("natural", [("a", 3, 0.6, "text end")], marks={1: (gasp,)})
+    out = next(e for e in events if isinstance(e, Expiration) and e.kind == "tidal" and e.origin == "markup")
+    assert out.noise is not None

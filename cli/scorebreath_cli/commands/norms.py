@@ -75,6 +75,10 @@ def norms(
                 refuse_own_input(wav, [page])
             refuse_existing(page.parent, (page.name,), force=force)
         loaded, media = load_score(read_source(given))
+        if body is None and len(loaded.bodies) > 1:
+            raise InputError(
+                f"{given}: has several bodies; expected --body with one of {', '.join(b.id for b in loaded.bodies)}"
+            )
         heard = None
         if sound:
             heard = _heard(loaded, media, given=given, wav=wav, body=body, engine=engine, printer=printer)
