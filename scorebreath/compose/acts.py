@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from scorebreath.compose.idle import SINKING, wait
+from scorebreath.compose.lungs import TOP
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import Air, sources
 from scorebreath.score.event import Origin
@@ -25,6 +26,8 @@ LAUGH_BELOW = 1.0
 """L below the resting level at which laughter ends (physiology 4.2; Filippelli 2001: 1.55 L in long bouts)."""
 SIGH_DEPTH = 2.2
 """Times a resting breath (Vlemincx 2013: 2 to 3)."""
+ROOM = 0.03
+"""Volume, fraction of VC, that a sniff needs."""
 CATCH = 0.06
 """s that the throat's catch sounds when a breath is held."""
 
@@ -106,7 +109,10 @@ def gasp(placer: Placer, to: float, how: Asked) -> None:
 
 
 def _sniff(placer: Placer, how: Asked) -> None:
-    """One or two short breaths through the nose."""
+    """One or two short breaths through the nose; none where the lungs are full."""
+    if placer.volume > TOP - ROOM:
+        placer.warn("full-lungs", f"{how.rule or 'a sniff'}: the lungs are full, nothing more goes in")
+        return
     gain = placer.p.amplitude_breathing_sound
     count = 2 if placer.chances.happens("sniff.twice", 0.35) and how.seconds is None else 1
     base = placer.chances

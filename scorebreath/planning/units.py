@@ -145,16 +145,15 @@ class Remembering:
 
 
 def dividing(marks: Sequence[Mark]) -> Mark | None:
-    """The mark before which a breath group ends whatever else stands there: a breath, a sound of one, another voice."""
+    """The mark before which a breath group ends whatever else stands there.
+
+    A breath, a sound of one, another voice; or the pauses, where they are together too long to hold the breath.
+    """
     for mark in marks:
-        if isinstance(mark, VoiceMark) or (isinstance(mark, Act) and (mark.name in DIVIDING or lasting(mark))):
+        if isinstance(mark, VoiceMark) or (isinstance(mark, Act) and mark.name in DIVIDING):
             return mark
-    return None
-
-
-def lasting(act: Act) -> bool:
-    """Whether it is a pause too long to hold the breath."""
-    return act.name == "pause" and (act.seconds or 0.0) >= LONG_PAUSE
+    pauses = [mark for mark in marks if isinstance(mark, Act) and mark.name == "pause"]
+    return pauses[0] if sum(pause.seconds or 0.0 for pause in pauses) >= LONG_PAUSE else None
 
 
 def forbids(unit: Unit) -> bool:

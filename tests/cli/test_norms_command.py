@@ -251,3 +251,14 @@ def test_it_runs_as_its_users_start_it(rendered: Path) -> None:
 )  # fmt: skip
 def test_the_command_completes(line: str, offered: list[str]) -> None:
     assert complete(line) == offered
+
+
+def test_of_several_bodies_one_must_be_named(tmp_path: Path) -> None:
+    score = person(3)
+    (only,) = score.bodies
+    two = dataclasses.replace(score, bodies=(only, dataclasses.replace(only, id="other")))
+    (tmp_path / "score.json").write_bytes(dumps(two))
+    result = run("norms", tmp_path, "--no-sound")
+    assert result.exit_code == 2
+    assert f"expected --body with one of {only.id}, other" in result.stderr
+    assert run("norms", tmp_path, "--no-sound", "--body", only.id).exit_code == 0

@@ -410,3 +410,11 @@ def test_much_air_that_is_let_go_is_heard() -> None:
     events, _ = perform("natural", [("a", 3, 0.6, "text end")], marks={1: (gasp,)})
     out = next(e for e in events if isinstance(e, Expiration) and e.kind == "tidal" and e.origin == "markup")
     assert out.noise is not None
+
+
+def test_sniffs_stop_where_the_lungs_are_full() -> None:
+    marks = tuple(Act(at=1, written="[sniff]", name="sniff") for _ in range(40))
+    events, _ = perform("natural", [("a", 3, 0.6, "text end")], marks={1: marks})
+    sniffs = [e for e in events if isinstance(e, Inspiration) and e.kind == "sniff"]
+    assert all(e.to_volume > e.from_volume for e in sniffs)
+    assert "full-lungs" in {e.code for e in events if isinstance(e, WarningEvent)}

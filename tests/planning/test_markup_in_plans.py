@@ -315,3 +315,16 @@ def whole(group: BreathGroup) -> None:
     assert parts[0].before == ()
     for part in parts:
         assert [run.source for run in part.spoken.runs] == [word.source for word in part.words if word.spoken.text]
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_pauses_too_long_to_hold_the_breath_end_a_group(model: str) -> None:
+    text = "The old man rowed out to the island before noon."
+
+    def count(*seconds: float) -> int:
+        return len(groups(model, text, {4: tuple(act("pause", each) for each in seconds)}))
+
+    assert count(9.0) == 2
+    assert count(2.0, 2.0, 2.0) == 2
+    if model != "natural":  # to natural a shorter pause is a likely place
+        assert count(1.0, 1.0) == count()
