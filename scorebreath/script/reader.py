@@ -171,8 +171,8 @@ class Reader:
 
     def _seek(self) -> bool:
         """Go through the gap up to the next sentence's start; whether it was found."""
-        first = self._first_letter()
-        limit = len(self._text) if first is None else first
+        limit, found = self._first_letter()
+        first = limit if found else None
         start = limit if self._over and first is None else max(self._at, limit - _KEPT)
         if first is not None:
             lead = _LEAD.search(self._kinds, start, first)
@@ -188,17 +188,20 @@ class Reader:
         self._ends = [end for end in self._ends if end > limit]
         return first is not None
 
-    def _first_letter(self) -> int | None:
-        """The next letter or digit that is no part of an emoticon; what follows a heart may show that it is none."""
+    def _first_letter(self) -> tuple[int, bool]:
+        """The next letter or digit that is no part of an emoticon, and whether there is one beyond doubt.
+
+        What follows a heart may show that it is none: until that is known, its figure is only where one may be.
+        """
         for match in _LETTER.finditer(self._kinds, self._at):
             place = match.start()
             behind = self._text[max(self._at, place - emoticons.LONGEST) : place]
             if not self._over and len(self._text) - place < _KEPT and "<" in behind:
-                return None
+                return place, False
             near = max(self._at, place - emoticons.LONGEST), min(len(self._text), place + _KEPT)
             if not any(span.start <= place < span.end for span in emoticons.spans(self._text, *near)):
-                return place
-        return None
+                return place, True
+        return len(self._text), False
 
     def _judge(self) -> bool:
         """Find where the next sentences end, looking further step by step; False if more text is needed."""

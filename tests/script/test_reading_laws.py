@@ -128,6 +128,7 @@ def cut_texts(draw: st.DrawFn) -> tuple[str, list[str]]:
 @example(("好。:D ok", ["好。", ":D ok"]), "zh", False)
 @example(("Ah :-ok", ["Ah :-o", "k"]), "en", False)
 @example(("<3 <3 G0", ["<3 <3 G0"]), "en", False)
+@example((":<000000000000000000000000", [":<00000000000000000000000", "0"]), "en", False)
 @example(("See you. X", ["See you. ", "X"]), "en", False)
 @settings(max_examples=400, deadline=None)
 def test_any_cutting_gives_the_same_sentences(case: tuple[str, list[str]], language: str, poem: bool) -> None:
