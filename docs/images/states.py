@@ -183,7 +183,7 @@ def draw(scores: dict[str, Score], heard: dict[str, Heard]) -> None:
         for axis in (top, below):
             axis.spines[["top", "right"]].set_visible(False)
     axes[0].set_xlim(0, SHOWN)
-    axes[1].legend(loc="lower right", bbox_to_anchor=(1.0, 3.2), ncols=2, frameon=False, fontsize=9)
+    figure.legend(*axes[1].get_legend_handles_labels(), loc="outside upper right", ncols=2, frameon=False, fontsize=9)
     axes[-1].set_xlabel("s")
     figure.savefig(HERE / "states.png")
     with Image.open(HERE / "states.png") as picture:
