@@ -12,6 +12,8 @@ from scorebreath.compose.models import BreathingModel, breathing_model
 from scorebreath.compose.parts import closing
 from scorebreath.compose.state import BodyState, Places, Spoken, SpokenPart
 from scorebreath.errors import InputError
+from scorebreath.expression.express import express
+from scorebreath.expression.state import FaceState, Placed
 from scorebreath.media.recordings import Recordings
 from scorebreath.media.store import FolderStore, MediaStore
 from scorebreath.parameters.states import Blend
@@ -20,7 +22,7 @@ from scorebreath.planning.model import BreathGroup, SyllableCounter, plan
 from scorebreath.planning.planners import open_planner
 from scorebreath.score.document import Body, Group, MediaInfo, Score, VoiceInfo
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Pause
-from scorebreath.script.marks import StateMark
+from scorebreath.script.marks import EmotionMark, StateMark
 from scorebreath.script.markup.marked import Markup
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import read
@@ -42,7 +44,24 @@ class _Performer:
 
     voice: Voice
     state: BodyState
+    face: FaceState
     events: list[Event]
+
+    def go_on(self, done: tuple[BodyState, list[Event]], spoken: Spoken | None = None) -> None:
+        """Take what compose has placed, and let the face answer to it."""
+        self.state, placed = done
+        self.events += placed
+        self._express(placed, spoken)
+
+    def end(self, time: float) -> None:
+        """All is over."""
+        self._express([], None, over=time)
+
+    def _express(self, placed: list[Event], spoken: Spoken | None, over: float | None = None) -> None:
+        place = spoken.place if spoken else f"rest@{self.state.waits}"
+        marks = emotions_in(spoken.group) if spoken else ()
+        self.face, shown = express(self.face, Placed(events=tuple(placed), place=place, marks=marks), over=over)
+        self.events += shown
 
 
 def compile_text(
@@ -106,15 +125,20 @@ def compile_text(
             known = cast.get(name, p) if cast else p
             who = BODY if not performers else f"{BODY}{len(performers) + 1}"
             performers[name] = _enter(
-                who, voice if not name else _opened(voices, name), known, breathing, seed=seed, recordings=recordings
+                who,
+                voice if not name else _opened(voices, name),
+                known,
+                breathing,
+                seed=seed,
+                language=script.language,
+                recordings=recordings,
             )
         return performers[name]
 
     main = performer("")
     clock = snap(lead)
     main.events.append(_silence("start", 0.0, clock))
-    main.state, placed = breathing.act(main.state, begun, "begin")
-    main.events += placed
+    main.go_on(breathing.act(main.state, begun, "begin"))
     groups: list[Group] = []
     sounds: dict[str, MediaInfo] = {}
     planned = plan_script(script, parameters=p, model=model, count=voice.syllables, states=begun, seed=seed, cast=cast)
@@ -123,22 +147,23 @@ def compile_text(
         who = performer(spoken.group.voice)
         groups.append(_group(spoken, who.state.body))
         sounds.update((said.media, _media_info(said)) for said in spoken.parts)
-        _go_on(who, breathing.rest(who.state, clock, "rest"))
-        _go_on(who, breathing.step(who.state, spoken))
+        who.go_on(breathing.rest(who.state, clock, "rest"))
+        who.go_on(breathing.step(who.state, spoken), spoken)
         clock = who.state.time
         if on_progress:
             on_progress(min(1.0, spoken.group.source.end / len(script.text)))
     if not groups:
-        _go_on(main, breathing.rest(main.state, clock, "rest"))
-        _go_on(main, breathing.act(main.state, script.marks, "act"))
+        main.go_on(breathing.rest(main.state, clock, "rest"))
+        main.go_on(breathing.act(main.state, script.marks, "act"))
     clock = max(who.state.time for who in performers.values())
     for who in performers.values():
-        _go_on(who, breathing.rest(who.state, clock, "rest"))
-        _go_on(who, breathing.finish(who.state, snap(tail)))
+        who.go_on(breathing.rest(who.state, clock, "rest"))
+        who.go_on(breathing.finish(who.state, snap(tail)))
     end = max(who.state.time for who in performers.values())
     main.events.append(_silence("end", clock, snap(end - clock)))
     for who in performers.values():
-        _go_on(who, breathing.rest(who.state, end, "rest"))
+        who.go_on(breathing.rest(who.state, end, "rest"))
+        who.end(end)
     events = tuple(event for who in performers.values() for event in who.events)
     return Score(
         made_by=made_by(),
@@ -163,7 +188,14 @@ def begin_states(states: Mapping[str, float]) -> tuple[StateMark, ...]:
 
 
 def _enter(
-    who: str, voice: Voice, p: Parameters, breathing: BreathingModel, *, seed: int, recordings: Recordings | None
+    who: str,
+    voice: Voice,
+    p: Parameters,
+    breathing: BreathingModel,
+    *,
+    seed: int,
+    language: str,
+    recordings: Recordings | None,
 ) -> _Performer:
     person = breathing.person(p)
     state = BodyState(
@@ -175,7 +207,8 @@ def _enter(
         volume=person.resting_volume,
         recordings=recordings,
     )
-    return _Performer(voice=voice, state=state, events=[])
+    face = FaceState(body=who, seed=seed, parameters=p, language=language)
+    return _Performer(voice=voice, state=state, face=face, events=[])
 
 
 def _opened(voices: Callable[[str], Voice] | None, name: str) -> Voice:
@@ -185,11 +218,6 @@ def _opened(voices: Callable[[str], Voice] | None, name: str) -> Voice:
         return voices(name)
     except InputError as error:
         raise InputError(f"the text changes to the voice {name!r}: {error}") from None
-
-
-def _go_on(who: _Performer, done: tuple[BodyState, list[Event]]) -> None:
-    who.state, placed = done
-    who.events += placed
 
 
 def _body(who: _Performer) -> Body:
@@ -207,6 +235,12 @@ def _body(who: _Performer) -> Body:
         person=who.state.person,
         parameters=who.state.parameters.set_by_hand(),
     )
+
+
+def emotions_in(group: BreathGroup) -> tuple[EmotionMark, ...]:
+    """Emotions that the text asks for before, in and behind a group, in its order."""
+    inner = (mark for word in group.words[:-1] for mark in word.after)
+    return tuple(mark for mark in (*group.before, *inner, *group.after) if isinstance(mark, EmotionMark))
 
 
 def plan_script(

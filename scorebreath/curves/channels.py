@@ -4,12 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from scorebreath.curves.sources import Moments
 from scorebreath.curves.tracks import Array
+from scorebreath.score.acting import EMOTIONS
 from scorebreath.units import FLOOR_DB
+
+JAW, LIPS = 8.0, 25.0
+"""1/s: 200 mm/s at 25 mm for a jaw quite open (physiology 7.1); lips that shut within 40 ms."""
+HEAD, EYES = 60.0, 560.0
+"""deg/s: nods below 50 (physiology 7.5, Greta), the breath and emotions beside them; saccades up to 500 (Carpenter
+1988), against the head's."""
+LIDS, BROWS = 40.0, 12.0
+"""1/s: a lid shuts within 75 ms; a brow rises within 150 ms (physiology 7.5)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +36,8 @@ class Channel:
     meaning: str
     sample: Callable[[Moments], Array]
     """(n,) values at n moments"""
+    speed: float | None = None
+    """how fast it changes at most, units a second, at the default parameters; None: as the events say"""
 
     def at(self, moments: Moments) -> Array:
         """Values at the moments, clamped where the table says so; (n,)."""
@@ -64,7 +76,7 @@ CHANNELS: tuple[Channel, ...] = (
     ),
     Channel(
         "mouth_open", "", 0, 1, True, "mouth opened to breathe (not to speak)",
-        lambda m: m.sources.mouth.sample(m.times),
+        lambda m: m.mouth_open,
     ),
     Channel(
         "airflow", "L/s", -8, 8, False, "air in (+) and out (-): derivative of lung_volume in litres",
@@ -75,8 +87,73 @@ CHANNELS: tuple[Channel, ...] = (
         lambda m: m.neck_pitch,
     ),
     Channel(
+        "jaw_open", "", 0, 1, True, "jaw opened to speak: the mouth's opening is the larger of this and mouth_open",
+        lambda m: m.lip("jaw_open"), speed=JAW,
+    ),
+    Channel(
+        "lip_close", "", 0, 1, True, "lips closed over the opening: 1 shuts them, whatever the jaw does",
+        lambda m: m.lip("lip_close"), speed=LIPS,
+    ),
+    Channel(
+        "lip_round", "", 0, 1, True, "lips rounded and pushed forward (oo)", lambda m: m.lip("lip_round"), speed=LIPS,
+    ),
+    Channel(
+        "lip_spread", "", 0, 1, True, "corners of the mouth drawn apart (ee)", lambda m: m.lip("lip_spread"),
+        speed=LIPS,
+    ),
+    Channel(
+        "lip_tuck", "", 0, 1, True, "lower lip drawn under the upper teeth (f, v)", lambda m: m.lip("lip_tuck"),
+        speed=LIPS,
+    ),
+    Channel(
+        "tongue_tip", "", 0, 1, True, "tip of the tongue up, behind or between the teeth",
+        lambda m: m.lip("tongue_tip"),
+        speed=LIPS,
+    ),
+    Channel(
+        "tongue_back", "", 0, 1, True, "back of the tongue up (k, g)", lambda m: m.lip("tongue_back"), speed=LIPS,
+    ),
+    Channel(
         "head_pitch", "deg", -45, 45, True, "head relative to the upper chest, chin up +, all causes together",
-        lambda m: m.neck_pitch,
+        lambda m: m.head[:, 0], speed=HEAD,
+    ),
+    Channel(
+        "head_yaw", "deg", -45, 45, True, "head turned to the character's own left +", lambda m: m.head[:, 1],
+        speed=HEAD,
+    ),
+    Channel(
+        "head_roll", "deg", -45, 45, True, "head tilted towards the character's own right shoulder +",
+        lambda m: m.head[:, 2], speed=HEAD,
+    ),
+    Channel(
+        "eye_pitch", "deg", -60, 60, True, "eyes relative to the head, up +", lambda m: m.eyes[:, 1], speed=EYES,
+    ),
+    Channel(
+        "eye_yaw", "deg", -60, 60, True, "eyes relative to the head, to the character's own left +",
+        lambda m: m.eyes[:, 0], speed=EYES,
+    ),
+    Channel(
+        "lid_left", "", -1, 1, True, "left lid: 0 neutral, 1 closed, -1 wide; follows the eye", lambda m: m.lid(0),
+        speed=LIDS,
+    ),
+    Channel("lid_right", "", -1, 1, True, "right lid, likewise", lambda m: m.lid(1), speed=LIDS),
+    Channel("brow_left", "", 0, 1, True, "left brow raised", lambda m: m.brow[:, 0], speed=BROWS),
+    Channel("brow_right", "", 0, 1, True, "right brow raised", lambda m: m.brow[:, 1], speed=BROWS),
+    Channel("brow_frown", "", 0, 1, True, "brows drawn together and down", lambda m: m.brow[:, 2], speed=BROWS),
+    Channel(
+        "wrinkle_forehead", "", 0, 1, True, "folds of the forehead, by raised brows and by emotions",
+        lambda m: m.wrinkle("raise"),
+    ),
+    Channel(
+        "wrinkle_glabella", "", 0, 1, True, "folds between the brows, by frowns and by emotions",
+        lambda m: m.wrinkle("frown"),
+    ),
+    *(
+        Channel(
+            f"emotion_{name}", "", 0, 1, True, f"how {name}: a rig turns it into shapes",
+            partial(Moments.emotion, name=name),
+        )
+        for name in EMOTIONS
     ),
     Channel(
         "speech_level", "dB", FLOOR_DB, 20, True, "level of speech relative to the voice's reference",

@@ -26,6 +26,8 @@ class CurveSet:
     table: tuple[Channel, ...]
     """what each channel means"""
     sources: Sources
+    closure_gate: bool = True
+    """whether p, b and m shut the lips whatever else opens them; False: Cohen and Massaro's plain sum"""
 
     @property
     def channels(self) -> tuple[str, ...]:
@@ -48,7 +50,7 @@ class CurveSet:
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
         if at.ndim != 1 or not np.all(np.isfinite(at)):
             raise InputError("times must be finite numbers in one dimension")
-        moments = Moments(self.sources, np.ascontiguousarray(at))
+        moments = Moments(self.sources, np.ascontiguousarray(at), closure_gate=self.closure_gate)
         wanted = self.table if names is None else tuple(self.channel(name) for name in names)
         values = np.empty((len(at), len(wanted)))
         for column, channel in enumerate(wanted):
@@ -67,7 +69,7 @@ class CurveSet:
         raise InputError(f"no channel is called {name!r}; expected one of {', '.join(self.channels)}")
 
 
-def curves(score: Score, body: str | None = None) -> CurveSet:
+def curves(score: Score, body: str | None = None, *, closure_gate: bool = True) -> CurveSet:
     """The curves of one body of a Score.
 
     They are closed forms of the events: an event changes nothing outside `[onset - lead, end + lag]`, and outside
@@ -76,13 +78,20 @@ def curves(score: Score, body: str | None = None) -> CurveSet:
     Args:
         score: Any Score; it is read once, in time linear in its events.
         body: Whose curves; may be left out where the Score has one body.
+        closure_gate: Whether p, b and m shut the lips whatever else opens them.
 
     Raises:
         InputError: There is no such body, or it must be named.
         ScoreError: Breaths or utterances of the body overlap, or an event leaves its own reach.
     """
     chosen = _choose(score, body)
-    return CurveSet(body=chosen.id, duration=score.duration, table=CHANNELS, sources=sources(score, chosen))
+    return CurveSet(
+        body=chosen.id,
+        duration=score.duration,
+        table=CHANNELS,
+        sources=sources(score, chosen),
+        closure_gate=closure_gate,
+    )
 
 
 def _choose(score: Score, body: str | None) -> Body:

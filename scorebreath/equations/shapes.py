@@ -68,6 +68,41 @@ def flow_envelope(
     return np.asarray(flow ** np.asarray(exponent, dtype=np.float64), dtype=np.float64)
 
 
+FASTEST = 1.875
+"""Highest speed of `smooth_step`, relative to its mean."""
+
+
+def smooth_step(progress: ArrayLike) -> Array:
+    r"""From 0 to 1 with the least jerk: :math:`10x^3 - 15x^4 + 6x^5`, held beyond both ends.
+
+    Speed and acceleration are 0 at both ends; the highest speed is 15/8 of the mean (`FASTEST`). Hands, heads, lids
+    and eyes move about like this (Flash & Hogan 1985).
+
+    Args:
+        progress: Share of the time that has passed; any shape.
+
+    >>> smooth_step([-1.0, 0.0, 0.25, 0.5, 1.0, 2.0]).tolist()
+    [0.0, 0.0, 0.103515625, 0.5, 1.0, 1.0]
+    """
+    x = np.clip(np.asarray(progress, dtype=np.float64), 0.0, 1.0)
+    return np.asarray(x * x * x * (10.0 + x * (6.0 * x - 15.0)), dtype=np.float64)
+
+
+def rise_and_fall(time: ArrayLike, rise: ArrayLike, hold: ArrayLike, fall: ArrayLike) -> Array:
+    r"""A `trapezoid` whose ramps are `smooth_step`: 0 outside, 1 while it holds.
+
+    Args:
+        time: Seconds since the rise began; any shape.
+        rise: Seconds, 0 or more.
+        hold: Seconds, 0 or more.
+        fall: Seconds, 0 or more.
+
+    >>> rise_and_fall([-1.0, 0.0, 1.0, 3.0, 4.5, 6.0], 2.0, 2.0, 1.0).tolist()
+    [0.0, 0.0, 0.5, 1.0, 0.5, 0.0]
+    """
+    return smooth_step(trapezoid(time, rise, hold, fall))
+
+
 def sine_volume(progress: ArrayLike, peak: ArrayLike = 0.5) -> Array:
     r"""Share of the volume moved when flow rises as a quarter of a sine and falls as another (physiology 1.6, 3.3).
 

@@ -24,6 +24,11 @@ class Word(Part):
     source: tuple[Whole, Whole] | None = None
     """code points of the Score's text"""
     accent: Flag = False
+    """whether it bears a pitch accent: a content word (A7)"""
+    tone: str = ""
+    """ToBI label of the accent, where somebody told it"""
+    pos: str = ""
+    """part of speech, where somebody told it"""
     merged: Flag = False
     """spoken as one with its neighbours ("was the")"""
 
@@ -105,13 +110,21 @@ class Phrase(Event):
     """An intonational phrase, or what stands for one (a line of verse)."""
 
     type: ClassVar[str] = "phrase"
+    limits: ClassVar[Limits] = limits(break_index=(0, 6))
     source: tuple[Whole, Whole]
+    """code points of the Score's text"""
     break_index: Whole
+    """of the boundary it ends with: 3 intermediate, 4 intonational, 5 a sentence's end, 6 a paragraph's (ToBI, A12)"""
     tone: str = ""
+    """of that boundary, such as `l-l%`"""
     position: Literal["internal", "final"]
+    """whether its sentence goes on behind it (A8)"""
     sentence_type: SentenceType
+    """of the sentence it belongs to"""
     line: Whole | None = None
+    """of the text, from 0, in verse"""
     stanza: Whole | None = None
+    """from 0, in verse"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

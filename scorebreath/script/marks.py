@@ -92,3 +92,13 @@ class BreathingMark(Mark):
     """of breaths: 2 halves the length of groups"""
     silent: bool = False
     """breaths by themselves are not heard"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EmotionMark(Mark):
+    """The face shows an emotion, most of all here (A11, A40): an emoticon, an emoji, `[emotion happy]`, or XML."""
+
+    name: str
+    """one of `score.acting.EMOTIONS`"""
+    intensity: float = 1.0
+    """0..1"""

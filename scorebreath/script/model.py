@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from scorebreath.script.marks import Mark
+from scorebreath.script.told import Told
 from scorebreath.spans import Span, SpokenText
 
 SentenceType = Literal["statement", "question", "exclamation"]
@@ -40,6 +41,8 @@ class ScriptWord:
     """a pause marker `_` follows, even where `edge` names something stronger"""
     after: tuple[Mark, ...] = ()
     """what the markup asks for between this word and the next"""
+    told: Told | None = None
+    """what MaryXML tells of it"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

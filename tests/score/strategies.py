@@ -15,7 +15,19 @@ from scorebreath.score.document import (
     MediaInfo,
     Score,
 )
-from scorebreath.score.events import EVENTS, Event, Noise, Part, Unknown, Utterance
+from scorebreath.score.events import (
+    EVENTS,
+    Blink,
+    Brow,
+    Emotion,
+    Event,
+    Gaze,
+    Head,
+    Noise,
+    Part,
+    Unknown,
+    Utterance,
+)
 from scorebreath.score.values import Flag, Number, Whole, limits_of, per_class
 from scorebreath.units import GRID, snap
 
@@ -104,7 +116,28 @@ def event_of(kind: Any) -> st.SearchStrategy[Event]:
     if kind is Utterance:
         strategies["media"] = st.sampled_from(MEDIA)
         return utterances(strategies)
+    if kind is Blink:
+        return st.builds(_blink, **{name: strategy for name, strategy in strategies.items() if name != "duration"})
+    if kind in PARTS_WITHIN:
+        return st.builds(_within, st.just(kind), **strategies)
     return st.builds(kind, **strategies)
+
+
+PARTS_WITHIN: dict[type[Event], tuple[str, ...]] = {
+    Emotion: ("apex",), Brow: ("apex", "hold"), Head: ("apex", "hold"), Gaze: ("move",)
+}  # fmt: skip
+"""Fields of a movement that must fit into its duration together."""
+
+
+def _within(kind: type[Event], /, **values: Any) -> Event:
+    parts = PARTS_WITHIN[kind]
+    duration = snap(sum(min(values[name], 100.0) for name in parts) + values["duration"])
+    return kind(**{**values, **{name: min(values[name], 100.0) for name in parts}, "duration": duration})
+
+
+def _blink(**values: Any) -> Blink:
+    phases = {name: min(values[name], 100.0) for name in ("close", "hold", "open")}
+    return Blink(**{**values, **phases, "duration": snap(sum(phases.values()))})
 
 
 @st.composite

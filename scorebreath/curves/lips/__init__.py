@@ -1,0 +1,1 @@
+"""Lips, jaw and tongue while speaking: Cohen and Massaro's dominance functions (A13)."""
