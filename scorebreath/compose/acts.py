@@ -198,7 +198,7 @@ def _pause(placer: Placer, how: Asked) -> None:
     """Silence; the body breathes at rest in a long one."""
     length = snap(how.lasting(0.5))
     placer.pause("asked", "asked", length, rule=how.rule, origin=how.origin)
-    if length >= LONG_PAUSE and not placer.papers:
+    if length >= LONG_PAUSE and placer.feeling.lives:
         wait(placer, snap(placer.time + length), how.rule)
     else:
         placer.hold("still", length, rule=how.rule, origin=how.origin)

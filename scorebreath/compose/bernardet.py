@@ -12,11 +12,14 @@ from dataclasses import replace
 
 from scorebreath.compose import acts, marked, parts
 from scorebreath.compose.chances import Chances
+from scorebreath.compose.feeling import Feeling
 from scorebreath.compose.idle import RELAXATION, relax
+from scorebreath.compose.lungs import EMPTY
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.state import BodyState, Spoken
 from scorebreath.equations.bernardet import volume_lung
 from scorebreath.parameters.derive import LowLevel, derive
+from scorebreath.parameters.modifiers import modifiers
 from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.document import Person
@@ -30,11 +33,20 @@ def person(parameters: Parameters) -> Person:
     return Person(vital_capacity=snap(physique(parameters).vital_capacity), resting_volume=0.0)
 
 
+def feel(state: BodyState, time: float) -> Feeling:
+    """The same at all times: the model has no states."""
+    p, low = state.parameters, derive(state.parameters)
+    return Feeling(
+        modifiers=modifiers(p, {}), low=low, levels=EMPTY, motion=motion(p, low),
+        thorax_share=snap(1.0 - p.abdomen_share), lead=Lead(), lives=False,
+    )  # fmt: skip
+
+
 def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
     """Place one group: breathe in, then speak while breathing out."""
     p, low = state.parameters, derive(state.parameters)
     chances = Chances(seed=state.seed, body=state.body, place=spoken.place)
-    placer = Placer(state=state, id=spoken.id, group=spoken.id, chances=chances)
+    placer = Placer(state=state, id=spoken.id, group=spoken.id, chances=chances, feels=feel)
     breath, named = marked.before(placer, spoken.group.before)
     inspiration = _asked(_inspiration(placer, spoken, p, low), breath, placer.state.breathing)
     if breath is not None and breath.name == "gasp":
@@ -54,7 +66,7 @@ def finish(state: BodyState, tail: float = 0.0) -> tuple[BodyState, list[Event]]
     if state.volume == 0.0:
         return replace(state, time=snap(state.time + tail)), []
     chances = Chances(seed=state.seed, body=state.body, place="end")
-    placer = Placer(state=state, id=f"{state.body}.end", chances=chances)
+    placer = Placer(state=state, id=f"{state.body}.end", chances=chances, feels=feel)
     relax(placer, RELAXATION)
     placer.time = snap(placer.time + tail)
     return placer.done()
@@ -70,7 +82,7 @@ def act(state: BodyState, marks: tuple[Mark, ...], what: str) -> tuple[BodyState
     if not marks:
         return state, []
     chances = Chances(seed=state.seed, body=state.body, place=what)
-    placer = Placer(state=state, id=f"{state.body}.{what}", chances=chances)
+    placer = Placer(state=state, id=f"{state.body}.{what}", chances=chances, feels=feel)
     marked.after(placer, marks)
     return placer.done()
 
@@ -89,14 +101,14 @@ def _inspiration(placer: Placer, spoken: Spoken, p: Parameters, low: LowLevel) -
         rule=f"B6 B7: {syllables} of {low.length_utterance:g} syllables",
         from_volume=placer.volume,
         to_volume=max(placer.volume, volume),
-        thorax_share=snap(1.0 - p.abdomen_share),
-        motion=motion(p, low),
+        thorax_share=placer.feeling.thorax_share,
+        motion=placer.feeling.motion,
         sound_nose=snap(low.amplitude_sound_nose),
         sound_mouth=snap(low.amplitude_sound_mouth),
         nostril_flare=nostril_flare,
         mouth_open=mouth_open,
         face=parts.ramps(length),
-        lead=Lead(),
+        lead=placer.feeling.lead,
         noise=parts.trapezoid_noise(placer.state, spoken, onset=0.0, length=length),
     )
 
@@ -134,7 +146,7 @@ def _speak(placer: Placer, spoken: Spoken, low: LowLevel) -> None:
         last = number == len(spoken.parts) - 1
         to = 0.0 if last else placer.volume * (1.0 - said.speech.duration / left)
         left -= said.speech.duration
-        placer.spend(speech.onset, speech.duration, to, "B12", motion(placer.p, low))
+        placer.spend(speech.onset, speech.duration, to, "B12")
         marked.inside(placer, speech, said)
 
 

@@ -49,7 +49,7 @@ def wait(placer: Placer, until: float, rule: str = "") -> None:
     while (left := until - placer.time) > NOTHING:
         placer.feel()
         cycle = 60.0 / (placer.p.resting_rate * placer.modifiers.rate)
-        if count == 0 and (left < CYCLE * cycle or placer.papers):
+        if count == 0 and (left < CYCLE * cycle or not placer.feeling.lives):
             relax(placer, min(left, RELAXATION))
             placer.hold("rest", snap(until - placer.time), rule=rule or "physiology 1.6: at rest")
             return

@@ -38,10 +38,12 @@ class Levels:
     """what is not gone below even in need"""
 
 
+EMPTY = Levels(rest=0.0, termination=0.0, reserve=0.0, floor=0.0)
+"""The papers' driver: nothing below 0."""
+
+
 def levels(p: Parameters, person: Person, modifiers: Modifiers) -> Levels:
     """The levels of a body in its present state: lying down moves them with the resting level."""
-    if person.resting_volume == 0.0:  # the papers' driver: nothing below 0
-        return Levels(rest=0.0, termination=0.0, reserve=0.0, floor=0.0)
     usual = p.termination_volume + person.resting_volume - UPRIGHT_REST
     termination = min(HIGHEST - 0.1, max(LOWEST + 0.02, usual + modifiers.start))
     reserve = max(LOWEST + 0.01, min(termination, usual, person.resting_volume) - RESERVE)

@@ -14,20 +14,24 @@ from dataclasses import replace
 from scorebreath.compose import acts, marked, parts, timing
 from scorebreath.compose.acts import Asked, asked
 from scorebreath.compose.chances import Chances
+from scorebreath.compose.feeling import Feeling
 from scorebreath.compose.idle import NOTHING, RELAXATION, wait
-from scorebreath.compose.lungs import TOP, initiation
+from scorebreath.compose.lungs import TOP, initiation, levels
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import INITIAL_DB, Air
 from scorebreath.compose.state import BodyState, Spoken, SpokenPart
 from scorebreath.equations.breath import flow_level
+from scorebreath.parameters.modifiers import modifiers
 from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup
 from scorebreath.score.document import Person
-from scorebreath.score.events import Event
+from scorebreath.score.events import Event, Lead
 from scorebreath.script.marks import Act, Mark
 from scorebreath.units import snap
 
+FACE_LEAD = 0.08
+"""s that mouth and nostrils move ahead of the flow (physiology 6, 8)."""
 VOLUME_VARIATION = 0.5
 """What a syllable takes varies from group to group by so many times as much as resting cycles do."""
 MOST_IRREGULAR = 1.6
@@ -46,10 +50,21 @@ def person(parameters: Parameters) -> Person:
     )
 
 
+def feel(state: BodyState, time: float) -> Feeling:
+    """As its states have it."""
+    p, person = state.parameters, state.person
+    m = modifiers(p, state.blend.at(time))
+    low = parts.low_level(p, m.nose_share, 1.0 - m.thorax_share)
+    return Feeling(
+        modifiers=m, low=low, levels=levels(p, person, m), motion=parts.motion(p, low, person, m.tremor),
+        thorax_share=snap(m.thorax_share), lead=Lead(mouth=FACE_LEAD, nostril=FACE_LEAD), lives=True,
+    )  # fmt: skip
+
+
 def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
     """Place one group: what the markup asks for before it, the breath, the speech, the silence after it."""
     chances = Chances(seed=state.seed, body=state.body, place=spoken.place)
-    placer = Placer(state=state, id=spoken.id, group=spoken.id, chances=chances)
+    placer = Placer(state=state, id=spoken.id, group=spoken.id, chances=chances, feels=feel)
     breath, named = marked.before(placer, spoken.group.before)
     placer.feel()
     _sigh_by_itself(placer)
@@ -97,6 +112,7 @@ def _alone(state: BodyState, what: str) -> Placer:
         state=replace(state, waits=state.waits + 1),
         id=f"{state.body}.{what}{state.waits or ''}",
         chances=Chances(seed=state.seed, body=state.body, place=place),
+        feels=feel,
     )
 
 

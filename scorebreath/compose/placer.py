@@ -7,12 +7,13 @@ from typing import Any, Literal
 
 from scorebreath.compose import parts, sounds, timing
 from scorebreath.compose.chances import Chances
-from scorebreath.compose.lungs import TOP, Levels, levels
+from scorebreath.compose.feeling import Feeling, Feels
+from scorebreath.compose.lungs import TOP, Levels
 from scorebreath.compose.sounds import Air
 from scorebreath.compose.state import BodyState
 from scorebreath.equations.shapes import HIGHEST_FLOW
 from scorebreath.parameters.derive import LowLevel
-from scorebreath.parameters.modifiers import Modifiers, modifiers
+from scorebreath.parameters.modifiers import Modifiers
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.breathing import PUFF_SHARE
 from scorebreath.score.event import Origin, PauseKind, Profile
@@ -21,9 +22,7 @@ from scorebreath.score.events import (
     Expiration,
     Hold,
     Inspiration,
-    Lead,
     Marker,
-    Motion,
     Noise,
     Pause,
     State,
@@ -32,8 +31,6 @@ from scorebreath.score.events import (
 from scorebreath.script.marks import NamedMark, StateMark
 from scorebreath.units import snap
 
-FACE_LEAD = 0.08
-"""s that mouth and nostrils move ahead of the flow (physiology 6, 8)."""
 InspirationKind = Literal["speech", "tidal", "gasp", "sigh", "sniff"]
 ExpirationKind = Literal["speech", "tidal", "audible", "sigh", "laugh"]
 
@@ -49,24 +46,21 @@ class Placer:
     id: str
     """what ids of events begin with"""
     chances: Chances
+    feels: Feels
+    """the breathing model's"""
     group: str | None = None
     events: list[Event] = field(default_factory=list)
     time: float = 0.0
     """s"""
     volume: float = 0.0
     """fraction of VC"""
-    modifiers: Modifiers = field(init=False)
-    low: LowLevel = field(init=False)
-    levels: Levels = field(init=False)
-    motion: Motion = field(init=False)
+    feeling: Feeling = field(init=False)
+    """as it is now"""
     _named: dict[str, int] = field(default_factory=dict)
-    papers: bool = field(init=False)
-    """whether it is the papers' driver, which knows neither rest nor states"""
 
     def __post_init__(self) -> None:
         """Begin where the body is."""
         self.time, self.volume = self.state.time, self.state.volume
-        self.papers = self.state.person.resting_volume == 0.0
         self.feel()
 
     @property
@@ -74,12 +68,24 @@ class Placer:
         """The parameters."""
         return self.state.parameters
 
+    @property
+    def modifiers(self) -> Modifiers:
+        """What person and states change."""
+        return self.feeling.modifiers
+
+    @property
+    def levels(self) -> Levels:
+        """The volumes it keeps to."""
+        return self.feeling.levels
+
+    @property
+    def low(self) -> LowLevel:
+        """The low-level parameters of the moment."""
+        return self.feeling.low
+
     def feel(self) -> None:
         """Take on the states of the moment."""
-        self.modifiers = modifiers(self.p, {} if self.papers else self.state.blend.at(self.time))
-        self.low = parts.low_level(self.p, self.modifiers.nose_share, 1.0 - self.modifiers.thorax_share)
-        self.levels = levels(self.p, self.state.person, self.modifiers)
-        self.motion = parts.motion(self.p, self.low, self.state.person, self.modifiers.tremor)
+        self.feeling = self.feels(self.state, self.time)
 
     def done(self, **changes: Any) -> tuple[BodyState, list[Event]]:
         """The body afterwards, and what was placed."""
@@ -136,9 +142,9 @@ class Placer:
             Inspiration(
                 id=self.name(what), body=self.state.body, group=self.group, onset=self.time, duration=length,
                 origin=origin, rule=rule, kind=kind, from_volume=self.volume, to_volume=to, profile="sine",
-                peak=snap(peak), saccades=saccades, thorax_share=self.thorax_share, motion=self.motion,
+                peak=snap(peak), saccades=saccades, thorax_share=self.feeling.thorax_share, motion=self.feeling.motion,
                 sound_nose=snap(nose), sound_mouth=snap(mouth), nostril_flare=nostril, mouth_open=lips,
-                face=parts.ramps(length), lead=self._lead(), noise=noise,
+                face=parts.ramps(length), lead=self.feeling.lead, noise=noise,
             )
         )  # fmt: skip
         self._move(length, to)
@@ -177,20 +183,22 @@ class Placer:
             Expiration(
                 id=self.name(what), body=self.state.body, group=self.group, onset=self.time, duration=length,
                 origin=origin, rule=rule, kind=kind, from_volume=self.volume, to_volume=to, profile=profile,
-                peak=snap(peak), thorax_share=self.thorax_share, motion=self.motion, sound_nose=snap(nose),
+                peak=snap(peak), thorax_share=self.feeling.thorax_share, motion=self.feeling.motion,
+                sound_nose=snap(nose),
                 sound_mouth=snap(mouth), nostril_flare=nostril, mouth_open=lips,
                 face=parts.ramps(length) if moving else None, noise=noise, puffs=tuple(snap(puff) for puff in puffs),
             )
         )  # fmt: skip
         self._move(length, to)
 
-    def spend(self, onset: float, duration: float, to: float, rule: str, motion: Motion | None = None) -> None:
+    def spend(self, onset: float, duration: float, to: float, rule: str) -> None:
         """Breathe out while speaking; time is where the speech ends."""
         to = snap(min(to, self.volume))
         self.events.append(
             Expiration(
                 id=self.name("out"), body=self.state.body, group=self.group, onset=onset, duration=duration, rule=rule,
-                from_volume=self.volume, to_volume=to, thorax_share=self.thorax_share, motion=motion or self.motion,
+                from_volume=self.volume, to_volume=to, thorax_share=self.feeling.thorax_share,
+                motion=self.feeling.motion,
             )
         )  # fmt: skip
         self.time, self.volume = snap(onset + duration), to
@@ -206,7 +214,7 @@ class Placer:
             Hold(
                 id=self.name(what), body=self.state.body, group=self.group, onset=self.time, duration=snap(length),
                 origin=origin, rule=rule, kind="held" if held else "rest", volume=self.volume,
-                thorax_share=self.thorax_share, motion=self.motion, noise=noise,
+                thorax_share=self.feeling.thorax_share, motion=self.feeling.motion, noise=noise,
             )
         )  # fmt: skip
         self._move(length, self.volume)
@@ -240,7 +248,7 @@ class Placer:
 
     def change(self, mark: StateMark, at: float) -> None:
         """A state begins to change."""
-        if self.papers:
+        if not self.feeling.lives:
             self.warn("no-states", f"{mark.written}: the papers' models have no states; natural has")
             return
         blend, changes = self.state.blend.changed(at, mark.name, mark.intensity, mark.ramp, held=mark.held)
@@ -253,14 +261,6 @@ class Placer:
                     target=snap(each.target), ramp=snap(each.ramp), recovery=snap(each.recovery),
                 )
             )  # fmt: skip
-
-    @property
-    def thorax_share(self) -> float:
-        """On the grid."""
-        return snap(self.modifiers.thorax_share if not self.papers else 1.0 - self.p.abdomen_share)
-
-    def _lead(self) -> Lead:
-        return Lead() if self.papers else Lead(mouth=FACE_LEAD, nostril=FACE_LEAD)
 
     def _face(self, opening: float, nose: float, mouth: float) -> tuple[float, float]:
         """Nostrils and mouth open where air goes; both keep still where `opening` is 0."""

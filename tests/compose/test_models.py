@@ -8,13 +8,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from scorebreath.compose.bernardet import motion
 from scorebreath.compose.models import MODELS, breathing_model
+from scorebreath.compose.state import BodyState
 from scorebreath.compose.timing import for_depth
 from scorebreath.errors import InputError
+from scorebreath.parameters.derive import derive
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.planners import PLANNERS
 from scorebreath.score.document import Site
 from scorebreath.score.events import EVENTS, Event, Expiration, Hold, Inspiration, Utterance
+from scorebreath.script.marks import Act
 
 from .bodies import perform, spoken
 
@@ -101,6 +105,19 @@ def test_the_papers_oscillate_and_nothing_stands_between() -> None:
     assert breaths[0].motion.abdomen == pytest.approx(0.35 * 0.64)
     assert (breaths[0].sound_nose, breaths[0].sound_mouth) == (0.35, 0.65)
     assert (breaths[0].nostril_flare, breaths[0].mouth_open) == pytest.approx((0.105, 0.195))
+
+
+def test_what_is_asked_for_moves_the_papers_chest_as_their_breaths_do() -> None:
+    sigh = Act(at=0, written="[sigh]", name="sigh")
+    p = Parameters(abdomen_share=0.2, amplitude_neck_motion=3.0)
+    first = spoken(0, "one", 12, 2.4, "sentence", "one#0", before=(sigh,))
+    model = breathing_model("bernardet-2019")
+    state = BodyState(body="body", seed=0, parameters=p, person=model.person(p), time=0.0, volume=0.0)
+    _, events = model.step(state, first)
+    breaths = [event for event in events if isinstance(event, Inspiration | Expiration)]
+    assert {event.kind for event in breaths} == {"sigh", "speech"}
+    assert {event.motion for event in breaths} == {motion(p, derive(p))}
+    assert {event.thorax_share for event in breaths} == {0.8}
 
 
 def test_natural_breaths_follow_what_is_to_be_said() -> None:

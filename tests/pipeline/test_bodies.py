@@ -11,6 +11,7 @@ import pytest
 import soundfile
 
 from scorebreath.curves import curves
+from scorebreath.curves.channels import CHANNELS
 from scorebreath.errors import InputError
 from scorebreath.media.recordings import load_recordings
 from scorebreath.media.store import MemoryStore
@@ -60,7 +61,7 @@ def test_another_voice_is_another_body_on_the_same_clock(voice: Voice) -> None:
             assert event.onset == pytest.approx(time, abs=1e-5)
             time = event.end
         assert time == pytest.approx(score.duration, abs=1e-5)
-        assert curves(score, body.id).sample([0.0, 1.0]).shape == (2, 14)
+        assert curves(score, body.id).sample([0.0, 1.0]).shape == (2, len(CHANNELS))
     sigh = next(e for e in score.of(Inspiration) if e.kind == "sigh")
     assert sigh.body == "body2"
     assert loads(dumps(score)) == score
