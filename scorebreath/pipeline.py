@@ -2,66 +2,33 @@
 
 from __future__ import annotations
 
-import dataclasses
 import itertools
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from importlib import metadata
 
-from scorebreath.compose.models import BreathingModel, breathing_model
+from scorebreath.compose.models import breathing_model
 from scorebreath.compose.parts import closing
-from scorebreath.compose.state import BodyState, Places, Spoken, SpokenPart
-from scorebreath.errors import InputError
-from scorebreath.expression.express import express
-from scorebreath.expression.state import FaceState, Placed
+from scorebreath.compose.state import Places, Spoken, SpokenPart
+from scorebreath.ensemble import BODY, Ensemble, Performer
 from scorebreath.media.recordings import Recordings
 from scorebreath.media.store import FolderStore, MediaStore
 from scorebreath.parameters.states import Blend
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup, SyllableCounter, plan
 from scorebreath.planning.planners import open_planner
-from scorebreath.score.document import Body, Group, MediaInfo, Score, VoiceInfo
-from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Pause
-from scorebreath.script.marks import EmotionMark, StateMark
+from scorebreath.score.document import Group, MediaInfo, Score
+from scorebreath.score.events import Event, Expiration, Hold, Inspiration
+from scorebreath.script.marks import StateMark
 from scorebreath.script.markup.marked import Markup
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import read
 from scorebreath.speech.model import Speech, SpeechRequest, Voice
-from scorebreath.units import snap
-
-BODY = "body"
-"""Id of the only body of a compiled text."""
 
 SENTENCES_AT_ONCE = 200
 """whose syllables a voice is asked for together"""
 
 Progress = Callable[[float], None]
-
-
-@dataclasses.dataclass(slots=True, kw_only=True)
-class _Performer:
-    """A body of the Score while it is being composed."""
-
-    voice: Voice
-    state: BodyState
-    face: FaceState
-    events: list[Event]
-
-    def go_on(self, done: tuple[BodyState, list[Event]], spoken: Spoken | None = None) -> None:
-        """Take what compose has placed, and let the face answer to it."""
-        self.state, placed = done
-        self.events += placed
-        self._express(placed, spoken)
-
-    def end(self, time: float) -> None:
-        """All is over."""
-        self._express([], None, over=time)
-
-    def _express(self, placed: list[Event], spoken: Spoken | None, over: float | None = None) -> None:
-        place = spoken.place if spoken else f"rest@{self.state.waits}"
-        marks = emotions_in(spoken.group) if spoken else ()
-        self.face, shown = express(self.face, Placed(events=tuple(placed), place=place, marks=marks), over=over)
-        self.events += shown
 
 
 def compile_text(
@@ -117,54 +84,24 @@ def compile_text(
     breathing = breathing_model(model)
     script = read(text, language=language, poem=poem, file=file, markup=markup)
     begun = begin_states(states or {})
-    performers: dict[str, _Performer] = {}
-
-    def performer(name: str) -> _Performer:
-        """Who speaks with a voice; somebody new breathes at rest until now."""
-        if name not in performers:
-            known = cast.get(name, p) if cast else p
-            who = BODY if not performers else f"{BODY}{len(performers) + 1}"
-            performers[name] = _enter(
-                who,
-                voice if not name else _opened(voices, name),
-                known,
-                breathing,
-                seed=seed,
-                language=script.language,
-                recordings=recordings,
-            )
-        return performers[name]
-
-    main = performer("")
-    clock = snap(lead)
-    main.events.append(_silence("start", 0.0, clock))
-    main.go_on(breathing.act(main.state, begun, "begin"))
+    ensemble = Ensemble(
+        breathing=breathing, voice=voice, voices=voices, parameters=p, cast=cast or {}, language=script.language,
+        seed=seed, recordings=recordings,
+    )  # fmt: skip
+    ensemble.begin(lead, begun)
     groups: list[Group] = []
     sounds: dict[str, MediaInfo] = {}
     planned = plan_script(script, parameters=p, model=model, count=voice.syllables, states=begun, seed=seed, cast=cast)
-    performed = speak(planned, lambda name: performer(name).voice, media, lambda name: performer(name).state.parameters)
-    for spoken in performed:
-        who = performer(spoken.group.voice)
+    for spoken in speak(planned, ensemble.performer, media):
+        who = ensemble.step(spoken)
         groups.append(_group(spoken, who.state.body))
         sounds.update((said.media, _media_info(said)) for said in spoken.parts)
-        who.go_on(breathing.rest(who.state, clock, "rest"))
-        who.go_on(breathing.step(who.state, spoken), spoken)
-        clock = who.state.time
         if on_progress:
             on_progress(min(1.0, spoken.group.source.end / len(script.text)))
     if not groups:
-        main.go_on(breathing.rest(main.state, clock, "rest"))
-        main.go_on(breathing.act(main.state, script.marks, "act"))
-    clock = max(who.state.time for who in performers.values())
-    for who in performers.values():
-        who.go_on(breathing.rest(who.state, clock, "rest"))
-        who.go_on(breathing.finish(who.state, snap(tail)))
-    end = max(who.state.time for who in performers.values())
-    main.events.append(_silence("end", clock, snap(end - clock)))
-    for who in performers.values():
-        who.go_on(breathing.rest(who.state, end, "rest"))
-        who.end(end)
-    events = tuple(event for who in performers.values() for event in who.events)
+        ensemble.act(script.marks)
+    end = ensemble.finish(tail)
+    events = tuple(ensemble.events())
     return Score(
         made_by=made_by(),
         seed=seed,
@@ -172,7 +109,7 @@ def compile_text(
         model=model,
         text=script.text,
         duration=end,
-        bodies=tuple(_body(who) for who in performers.values()),
+        bodies=tuple(who.body() for who in ensemble.performers.values()),
         media=sounds | _breath_media(events, recordings),
         groups=tuple(groups),
         events=events,
@@ -185,62 +122,6 @@ def begin_states(states: Mapping[str, float]) -> tuple[StateMark, ...]:
         StateMark(at=0, written=f"state {name}", name=name, intensity=intensity, ramp=0.0, held=True)
         for name, intensity in states.items()
     )
-
-
-def _enter(
-    who: str,
-    voice: Voice,
-    p: Parameters,
-    breathing: BreathingModel,
-    *,
-    seed: int,
-    language: str,
-    recordings: Recordings | None,
-) -> _Performer:
-    person = breathing.person(p)
-    state = BodyState(
-        body=who,
-        seed=seed,
-        parameters=p,
-        person=person,
-        time=0.0,
-        volume=person.resting_volume,
-        recordings=recordings,
-    )
-    face = FaceState(body=who, seed=seed, parameters=p, language=language)
-    return _Performer(voice=voice, state=state, face=face, events=[])
-
-
-def _opened(voices: Callable[[str], Voice] | None, name: str) -> Voice:
-    if voices is None:
-        raise InputError(f"the text changes to the voice {name!r}, and nobody opens voices here; pass `voices`")
-    try:
-        return voices(name)
-    except InputError as error:
-        raise InputError(f"the text changes to the voice {name!r}: {error}") from None
-
-
-def _body(who: _Performer) -> Body:
-    details = who.voice.details
-    return Body(
-        id=who.state.body,
-        voice=VoiceInfo(
-            engine=details.engine,
-            voice=details.voice,
-            version=details.version,
-            licence=details.licence,
-            sample_rate=details.sample_rate,
-            reference_db=snap(who.voice.reference_db),
-        ),
-        person=who.state.person,
-        parameters=who.state.parameters.set_by_hand(),
-    )
-
-
-def emotions_in(group: BreathGroup) -> tuple[EmotionMark, ...]:
-    """Emotions that the text asks for before, in and behind a group, in its order."""
-    inner = (mark for word in group.words[:-1] for mark in word.after)
-    return tuple(mark for mark in (*group.before, *inner, *group.after) if isinstance(mark, EmotionMark))
 
 
 def plan_script(
@@ -271,19 +152,17 @@ def _counted(sentences: Sequence[Sentence], count: SyllableCounter) -> Iterator[
         yield from block
 
 
-def speak(
-    groups: Iterable[BreathGroup],
-    voice_of: Callable[[str], Voice],
-    media: MediaStore,
-    parameters_of: Callable[[str], Parameters],
-) -> Iterator[Spoken]:
-    """Have each group spoken, its samples put into `media`; a voice works ahead of whoever takes what it says."""
+def speak(groups: Iterable[BreathGroup], performer: Callable[[str], Performer], media: MediaStore) -> Iterator[Spoken]:
+    """Have each group spoken by its performer, its samples put into `media`.
+
+    A voice works ahead of whoever takes what it says.
+    """
     places = Places()
     numbers = itertools.count(1)
     for name, run in itertools.groupby(groups, key=lambda group: group.voice):
-        voice = voice_of(name)
+        who = performer(name)
         waiting: deque[BreathGroup] = deque()
-        said = iter(voice.speak_all(_requests(run, waiting, parameters_of(name))))
+        said = iter(who.voice.speak_all(_requests(run, waiting, who.state.parameters)))
         while True:
             first = next(said, None)
             if first is None:
@@ -368,14 +247,3 @@ def _breath_media(events: Iterable[Event], recordings: Recordings | None) -> dic
         )
         for sha, take in takes.items()
     }
-
-
-def _silence(kind: str, onset: float, duration: float) -> Pause:
-    return Pause(
-        id=f"{BODY}.{kind}",
-        body=BODY,
-        onset=onset,
-        duration=duration,
-        rule=f"silence: {kind}",
-        kind="start" if kind == "start" else "end",
-    )

@@ -1,0 +1,170 @@
+"""The bodies of one Score on one clock: whoever does not speak breathes at rest, and every face goes on living."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from scorebreath.compose.models import BreathingModel
+from scorebreath.compose.state import BodyState, Spoken
+from scorebreath.errors import InputError
+from scorebreath.expression.express import express
+from scorebreath.expression.state import FaceState, Placed
+from scorebreath.media.recordings import Recordings
+from scorebreath.parameters.table import Parameters
+from scorebreath.planning.model import BreathGroup
+from scorebreath.score.document import Body, VoiceInfo
+from scorebreath.score.events import Event, Pause
+from scorebreath.script.marks import EmotionMark, Mark
+from scorebreath.speech.model import Voice
+from scorebreath.units import snap
+
+BODY = "body"
+"""Id of the body that begins; others are `body2`, `body3`, ..."""
+
+
+@dataclass(slots=True, kw_only=True)
+class Performer:
+    """A body of the Score while it is being composed."""
+
+    voice: Voice
+    state: BodyState
+    face: FaceState
+    events: list[Event] = field(default_factory=list)
+
+    def go_on(self, done: tuple[BodyState, list[Event]], spoken: Spoken | None = None) -> None:
+        """Take what compose has placed, and let the face answer to it."""
+        self.state, placed = done
+        self.events += placed
+        self._express(placed, spoken)
+
+    def end(self, time: float) -> None:
+        """All is over."""
+        self._express([], None, over=time)
+
+    def _express(self, placed: list[Event], spoken: Spoken | None, over: float | None = None) -> None:
+        place = spoken.place if spoken else f"rest@{self.state.waits}"
+        marks = emotions_in(spoken.group) if spoken else ()
+        self.face, shown = express(self.face, Placed(events=tuple(placed), place=place, marks=marks), over=over)
+        self.events += shown
+
+    def body(self) -> Body:
+        """Who it is, as the Score has it."""
+        details = self.voice.details
+        return Body(
+            id=self.state.body,
+            voice=VoiceInfo(
+                engine=details.engine,
+                voice=details.voice,
+                version=details.version,
+                licence=details.licence,
+                sample_rate=details.sample_rate,
+                reference_db=snap(self.voice.reference_db),
+            ),
+            person=self.state.person,
+            parameters=self.state.parameters.set_by_hand(),
+        )
+
+
+@dataclass(slots=True, kw_only=True)
+class Ensemble:
+    """Everybody who performs one text.
+
+    Voices are known by the name the text calls them; the empty name is whoever begins.
+    """
+
+    breathing: BreathingModel
+    voice: Voice
+    voices: Callable[[str], Voice] | None
+    parameters: Parameters
+    cast: Mapping[str, Parameters]
+    language: str
+    seed: int
+    recordings: Recordings | None
+    clock: float = 0.0
+    """s; what is said next begins here"""
+    performers: dict[str, Performer] = field(default_factory=dict)
+
+    def performer(self, name: str) -> Performer:
+        """Who speaks with a voice; somebody new breathes at rest until now.
+
+        Raises:
+            InputError: There is no such voice.
+        """
+        if name not in self.performers:
+            who = BODY if not self.performers else f"{BODY}{len(self.performers) + 1}"
+            p = self.cast.get(name, self.parameters)
+            person = self.breathing.person(p)
+            self.performers[name] = Performer(
+                voice=self._opened(name) if name else self.voice,
+                state=BodyState(
+                    body=who, seed=self.seed, parameters=p, person=person, time=0.0, volume=person.resting_volume,
+                    recordings=self.recordings,
+                ),
+                face=FaceState(body=who, seed=self.seed, parameters=p, language=self.language),
+            )  # fmt: skip
+        return self.performers[name]
+
+    def begin(self, lead: float, marks: tuple[Mark, ...]) -> None:
+        """Silence until the first breath; the first body is in the states that the marks put it into."""
+        self.clock = snap(lead)
+        main = self.performer("")
+        main.events.append(_silence("start", 0.0, self.clock))
+        main.go_on(self.breathing.act(main.state, marks, "begin"))
+
+    def step(self, spoken: Spoken) -> Performer:
+        """Somebody speaks a group; who it is."""
+        who = self.performer(spoken.group.voice)
+        who.go_on(self.breathing.rest(who.state, self.clock, "rest"))
+        who.go_on(self.breathing.step(who.state, spoken), spoken)
+        self.clock = who.state.time
+        return who
+
+    def act(self, marks: tuple[Mark, ...]) -> None:
+        """The first body does what a text without words asks for."""
+        main = self.performer("")
+        main.go_on(self.breathing.rest(main.state, self.clock, "rest"))
+        main.go_on(self.breathing.act(main.state, marks, "act"))
+
+    def finish(self, tail: float) -> float:
+        """Everybody comes back to rest, and stays there for so long; the time when all is over, s."""
+        everybody = self.performers.values()
+        self.clock = max(who.state.time for who in everybody)
+        for who in everybody:
+            who.go_on(self.breathing.rest(who.state, self.clock, "rest"))
+            who.go_on(self.breathing.finish(who.state, snap(tail)))
+        end = max(who.state.time for who in everybody)
+        self.performer("").events.append(_silence("end", self.clock, snap(end - self.clock)))
+        for who in everybody:
+            who.go_on(self.breathing.rest(who.state, end, "rest"))
+            who.end(end)
+        return end
+
+    def events(self) -> Iterator[Event]:
+        """What everybody does, body by body."""
+        return (event for who in self.performers.values() for event in who.events)
+
+    def _opened(self, name: str) -> Voice:
+        if self.voices is None:
+            raise InputError(f"the text changes to the voice {name!r}, and nobody opens voices here; pass `voices`")
+        try:
+            return self.voices(name)
+        except InputError as error:
+            raise InputError(f"the text changes to the voice {name!r}: {error}") from None
+
+
+def emotions_in(group: BreathGroup) -> tuple[EmotionMark, ...]:
+    """Emotions that the text asks for before, in and behind a group, in its order."""
+    inner = (mark for word in group.words[:-1] for mark in word.after)
+    return tuple(mark for mark in (*group.before, *inner, *group.after) if isinstance(mark, EmotionMark))
+
+
+def _silence(kind: str, onset: float, duration: float) -> Pause:
+    return Pause(
+        id=f"{BODY}.{kind}",
+        body=BODY,
+        onset=onset,
+        duration=duration,
+        rule=f"silence: {kind}",
+        kind="start" if kind == "start" else "end",
+    )
