@@ -9,16 +9,16 @@ from pathlib import Path
 import pytest
 
 from scorebreath.compose.models import MODELS, breathing_model
-from scorebreath.compose.state import BodyState
+from scorebreath.ensemble import Ensemble
 from scorebreath.errors import InputError
 from scorebreath.media.store import FolderStore, MemoryStore
 from scorebreath.parameters.table import Parameters
-from scorebreath.pipeline import BODY, compile_text, speak
+from scorebreath.pipeline import compile_text, speak
 from scorebreath.planning.model import BreathGroup
 from scorebreath.planning.planners import open_planner
 from scorebreath.score.codec import dumps, loads
 from scorebreath.score.document import Score
-from scorebreath.score.events import Expiration, Hold, Inspiration, Pause, Utterance
+from scorebreath.score.events import Expiration, Hold, Inspiration, Utterance
 from scorebreath.score.files import check_media
 from scorebreath.script.reader import Reader
 from scorebreath.speech.model import Voice
@@ -122,14 +122,14 @@ def test_text_that_arrives_in_pieces_makes_the_same_events(voice: Voice, model: 
             yield from planner.feed(sentence)
         yield from planner.finish()
 
-    person = breathing.person(p)
-    state = BodyState(body=BODY, seed=0, parameters=p, person=person, time=0.0, volume=person.resting_volume)
-    state, events = breathing.rest(state, 0.5, "rest")
-    for spoken in speak(arriving(), lambda _: voice, MemoryStore(), lambda _: p):
-        state, placed = breathing.step(state, spoken)
-        events += placed
-    events += breathing.finish(state, 1.0)[1]
-    assert tuple(events) == tuple(e for e in whole.events if not (isinstance(e, Pause) and e.kind in ("start", "end")))
+    ensemble = Ensemble(
+        breathing=breathing, voice=voice, voices=None, parameters=p, cast={}, language="en", seed=0, recordings=None
+    )
+    ensemble.begin(0.5, ())
+    for spoken in speak(arriving(), ensemble.performer, MemoryStore()):
+        ensemble.step(spoken)
+    assert ensemble.finish(1.0) == whole.duration
+    assert tuple(ensemble.events()) == whole.events
 
 
 def test_lungs_are_accounted_for_from_the_first_breath_to_the_last(voice: Voice) -> None:
