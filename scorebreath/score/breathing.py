@@ -114,10 +114,9 @@ class Motion(Part):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Inspiration(Event):
-    """Air in: volume, face, two sounds (B4-B11)."""
+class Breath(Event):
+    """Air that moves: what inspirations and expirations share."""
 
-    type: ClassVar[str] = "inspiration"
     limits: ClassVar[Limits] = limits(
         from_volume=VOLUME,
         to_volume=VOLUME,
@@ -127,9 +126,7 @@ class Inspiration(Event):
         sound_mouth=GAIN,
         nostril_flare=SHARE,
         mouth_open=SHARE,
-        saccades=(1, 20),
     )
-    kind: Literal["speech", "tidal", "gasp", "sigh", "sniff"] = "speech"
     from_volume: Number
     """fraction of VC"""
     to_volume: Number
@@ -137,8 +134,6 @@ class Inspiration(Event):
     profile: Profile = "linear"
     peak: Number = 0.5
     """where a `sine`'s flow is highest, share of the duration"""
-    saccades: Whole = 1
-    """the volume is drawn in so many equal gasps, each with the profile and the noise of a whole breath made shorter"""
     thorax_share: Number
     """share of the volume that the thorax takes, 0..1"""
     motion: Motion
@@ -150,48 +145,35 @@ class Inspiration(Event):
     """maximum, 0..1"""
     mouth_open: Number
     """maximum, 0..1"""
-    face: Trapezoid
-    """of nostrils and mouth from the onset on; a lead lengthens the attack backwards"""
-    lead: Lead
     noise: Noise | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Expiration(Event):
+class Inspiration(Breath):
+    """Air in: volume, face, two sounds (B4-B11)."""
+
+    type: ClassVar[str] = "inspiration"
+    limits: ClassVar[Limits] = limits(saccades=(1, 20))
+    kind: Literal["speech", "tidal", "gasp", "sigh", "sniff"] = "speech"
+    saccades: Whole = 1
+    """the volume is drawn in so many equal gasps, each with the profile and the noise of a whole breath made shorter"""
+    face: Trapezoid
+    """of nostrils and mouth from the onset on; a lead lengthens the attack backwards"""
+    lead: Lead
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Expiration(Breath):
     """Air out, during speech or by itself (B12)."""
 
     type: ClassVar[str] = "expiration"
-    limits: ClassVar[Limits] = limits(
-        from_volume=VOLUME,
-        to_volume=VOLUME,
-        peak=PEAK,
-        thorax_share=SHARE,
-        sound_nose=GAIN,
-        sound_mouth=GAIN,
-        nostril_flare=SHARE,
-        mouth_open=SHARE,
-    )
     kind: Literal["speech", "tidal", "audible", "sigh", "laugh"] = "speech"
-    from_volume: Number
-    """fraction of VC"""
-    to_volume: Number
-    """fraction of VC"""
-    profile: Profile = "linear"
-    peak: Number = 0.5
-    """where a `sine`'s flow is highest, share of the duration"""
-    thorax_share: Number
-    motion: Motion
     sound_nose: Number = 0.0
-    """gain 0.. of the noise through the nose"""
     sound_mouth: Number = 1.0
-    """gain 0.. of the noise through the mouth"""
     nostril_flare: Number = 0.0
-    """maximum, 0..1"""
     mouth_open: Number = 0.0
-    """maximum, 0..1"""
     face: Trapezoid | None = None
     """of nostrils and mouth, from the onset on; None: they do not move"""
-    noise: Noise | None = None
     puffs: tuple[Number, ...] = ()
     """onsets of laugh puffs, s, ascending: an equal share of the volume leaves in each, by `profile`, within
     `PUFF_SHARE` of the time to the next one (or to the end); `noise` sounds in each of them"""
