@@ -46,16 +46,13 @@ class Habits:
 
 
 # What was measured with espeak on three texts of 2,000 to 2,650 words (a chapter of Alice in Wonderland, the
-# introduction to the proceedings of a conference, an act of As You Like It), seeds 0 to 2, seconds from the inspiration
-# to the last phone, and of the speech alone; lowest and highest of the nine:
+# introduction to the proceedings of a conference, an act of As You Like It), seeds 0 to 6, seconds from the inspiration
+# to the last phone, and of the speech alone; lowest and highest of all:
 #
-#     reading       mean 4.0-4.9, alone 3.4-4.2, SD 1.3-1.75, longest 9.0; at punctuation 91-100 %, the rest before
+#     reading       mean 4.0-4.9, alone 3.4-4.2, SD 1.3-1.75, longest 9.0; at punctuation 90.7-100 %, the rest before
 #                   clauses and at line ends; physiology 10 asks for 3.3-4.8 (speech alone), 1.0-2.2, 12.6; 90 %
-#     spontaneous   mean 4.5-4.7, alone 3.8-4.1, SD 1.8-2.1, longest 10.6; at punctuation 61-89 %, there or before a
-#                   clause 68-92 %; people: 4.4-4.9, 1.9; 60-90 %; 69 % (Wang et al. 2010; Henderson et al. 1965:
-#                   physiology 1.1, 1.2)
-#
-# Nine of ten sentence ends or more get a breath in reading (LoC 98 %, Alice 90 %): so much for `sentence_pull`.
+#     spontaneous   mean 4.4-4.8; at punctuation 65-91 %; people: 4.4-4.9; 60-90 %; 69 % there or before a clause (Wang
+#                   et al. 2010; Henderson et al. 1965: physiology 1.1, 1.2)
 #
 # From paragraph to comma the weights of reading are those of physiology 1.2. Clause, phrase and word are lower than
 # there (0.35, 0.12, 0.03): those are chances at one place, and a plan passes many such places between two commas. With
@@ -210,7 +207,7 @@ def eased(place: Boundary, shortness: float) -> Boundary:
 
     Short of breath, people breathe more readily inside sentences, at punctuation and without: children, exertion, COPD
     and Parkinson's bring shorter groups and more breaths in odd places (physiology 1.2, 1.5). Readiness there goes with
-    the inverse square of the groups' length; sentences and paragraphs end as they do.
+    a power of the groups' length, the higher the less stands there (`EASING`); sentences and paragraphs end as they do.
 
     Args:
         place: As it is to somebody with groups of usual length.
