@@ -1,0 +1,132 @@
+"""Where the melody of an utterance turns: what heads, brows and eyes answer to (A24).
+
+A pitch track has seven maxima a second, most of them a hundredth of an octave high. Those that are meant here are the
+corners of the stylised contour, at most one maximum an accented syllable: they stand for the targets that S3's speech
+synthesis set itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scorebreath.score.events import Phone, Utterance
+from scorebreath.signal.contour import melody, stylise
+from scorebreath.units import snap
+
+LOW = 10.0
+"""Percentile of the voiced pitch that is called the voice's low tone."""
+REACH = 0.15
+"""s that a maximum may lie outside the word it belongs to: peaks come late."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Extremum:
+    """A turn of the melody."""
+
+    kind: Literal["maximum", "minimum"]
+    time: float
+    """s from the utterance's onset"""
+    semitones: float
+    """above the utterance's low tone, the 10th percentile of its voiced pitch"""
+    word: int | None
+    """the utterance's word it belongs to; None in a pause"""
+    syllable: tuple[float, float] | None
+    """onset and end of the accented syllable it belongs to, s from the utterance's onset; None: it belongs to none"""
+
+
+def extrema(utterance: Utterance) -> tuple[Extremum, ...]:
+    """Maxima and minima of an utterance's melody, in turn, ascending in time.
+
+    Args:
+        utterance: With pitch, phones, and accents on its words.
+
+    Returns:
+        At most one maximum for an accented syllable; empty where nothing is voiced.
+    """
+    hertz = np.asarray(utterance.pitch.hertz)
+    if not (hertz > 0).any():
+        return ()
+    step = utterance.pitch.step
+    heights = melody(hertz, step) - 12.0 * np.log2(np.percentile(hertz[hertz > 0], LOW))
+    corners = stylise(heights)
+    accented = _accented(utterance)
+    peaks: dict[tuple[float, float] | int, Extremum] = {}
+    for corner in _peaks(heights, corners):
+        peak = _extremum("maximum", int(corner), heights, utterance, accented)
+        key = peak.syllable or int(corner)
+        if key not in peaks or peaks[key].semitones < peak.semitones:
+            peaks[key] = peak
+    return _in_turn(sorted(peaks.values(), key=lambda peak: peak.time), heights, utterance)
+
+
+def _peaks(heights: NDArray[np.float64], corners: NDArray[np.intp]) -> list[int]:
+    """Corners higher than their neighbours."""
+    around = np.concatenate(([-np.inf], heights[corners], [-np.inf]))
+    return [int(c) for c in corners[(around[1:-1] > around[:-2]) & (around[1:-1] >= around[2:])]]
+
+
+def _in_turn(peaks: Sequence[Extremum], heights: NDArray[np.float64], utterance: Utterance) -> tuple[Extremum, ...]:
+    """The maxima, and the lowest place before, between and behind them."""
+    step = utterance.pitch.step
+    places = [-1, *(_place(peak.time, step) for peak in peaks), heights.size]
+    out: list[Extremum] = []
+    for number, (before, after) in enumerate(zip(places[:-1], places[1:], strict=True)):
+        if number:
+            out.append(peaks[number - 1])
+        if after - before > 1:
+            lowest = before + 1 + int(np.argmin(heights[before + 1 : after]))
+            out.append(_extremum("minimum", lowest, heights, utterance, {}))
+    return tuple(out)
+
+
+def _place(time: float, step: float) -> int:
+    return round(time / step - 0.5)
+
+
+def _extremum(
+    kind: Literal["maximum", "minimum"],
+    place: int,
+    heights: NDArray[np.float64],
+    utterance: Utterance,
+    accented: dict[int, tuple[float, float]],
+) -> Extremum:
+    time = min(utterance.duration, (place + 0.5) * utterance.pitch.step)
+    word = _owner(time, utterance, accented)
+    return Extremum(
+        kind=kind, time=snap(time), semitones=snap(float(heights[place])), word=word,
+        syllable=None if word is None else accented.get(word),
+    )  # fmt: skip
+
+
+def _owner(time: float, utterance: Utterance, accented: dict[int, tuple[float, float]]) -> int | None:
+    """The accented word whose syllable is nearest, if within reach; else the word that sounds."""
+    words = utterance.words
+    near = [
+        (max(syllable[0] - time, time - syllable[1], 0.0), word)
+        for word, syllable in accented.items()
+        if words[word].onset - REACH <= time <= words[word].onset + words[word].duration + REACH
+    ]
+    if near:
+        return min(near)[1]
+    return next((n for n, one in enumerate(words) if one.onset <= time < one.onset + one.duration), None)
+
+
+def _accented(utterance: Utterance) -> dict[int, tuple[float, float]]:
+    """The accented syllable of each accented word: around its primarily stressed vowel."""
+    phones: dict[int, list[Phone]] = {}
+    for phone in utterance.phones:
+        if phone.word is not None and utterance.words[phone.word].accent:
+            phones.setdefault(phone.word, []).append(phone)
+    return {word: syllable(own) for word, own in phones.items()}
+
+
+def syllable(phones: Sequence[Phone]) -> tuple[float, float]:
+    """Onset and end of a word's stressed syllable, s: its vowel, and the consonants that go with it."""
+    stressed = next((n for n, phone in enumerate(phones) if phone.stress == 1), 0)
+    last = phones[stressed]
+    return snap(last.onset), snap(last.onset + last.duration)
