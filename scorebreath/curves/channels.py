@@ -126,10 +126,10 @@ CHANNELS: tuple[Channel, ...] = (
         lambda m: m.head[:, 2], speed=HEAD,
     ),
     Channel(
-        "eye_pitch", "deg", -60, 60, True, "eyes relative to the head, up +", lambda m: m.eyes[:, 1], speed=EYES,
+        "eye_pitch", "deg", -45, 45, True, "eyes relative to the head, up +", lambda m: m.eyes[:, 1], speed=EYES,
     ),
     Channel(
-        "eye_yaw", "deg", -60, 60, True, "eyes relative to the head, to the character's own left +",
+        "eye_yaw", "deg", -45, 45, True, "eyes relative to the head, to the character's own left +",
         lambda m: m.eyes[:, 0], speed=EYES,
     ),
     Channel(

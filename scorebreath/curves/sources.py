@@ -19,7 +19,7 @@ from scorebreath.score.document import Body, Score
 from scorebreath.score.events import Expiration, Inspiration
 
 TURN = 45.0
-"""Degrees that the head turns at most, any way."""
+"""Degrees that the head turns at most, any way, and the eyes in it: whatever it does, they can look straight ahead."""
 WEIGHT_RAMP = 0.2
 """s in which a host hands its own breathing over at the Score's beginning, and takes it back at its end"""
 
@@ -140,15 +140,18 @@ class Moments:
 
     @cached_property
     def eyes(self) -> Array:
-        """Yaw and pitch relative to the head, (n, 2) degrees: target less head."""
+        """Yaw and pitch relative to the head, (n, 2) degrees: target less head, as far as eyes can turn."""
         target = self.sources.looks.gaze(self.times)
-        return target - self.head[:, [1, 0]]
+        return np.clip(target - self.head[:, [1, 0]], -TURN, TURN)
 
     def lid(self, side: int) -> Array:
-        """Left (0) or right (1): follows the eye in the head (A36, A37), closed by blinks; (n,) in -1..1."""
+        """Left (0) or right (1): follows the eye in the head (A36, A37), closed by blinks; (n,) in -1..1.
+
+        With the head down and the gaze at the listener the eye is up in the head: the lid is wider.
+        """
         pitch = self.eyes[:, 1]
-        open_ = np.where(pitch < 0, -LID_DOWN * pitch, -LID_UP * pitch)
-        return open_ + (1.0 - open_) * self.blink[:, side]
+        follows = np.where(pitch < 0, -LID_DOWN * pitch, -LID_UP * pitch)
+        return follows + (1.0 - follows) * self.blink[:, side]
 
     def emotion(self, name: str) -> Array:
         """Intensity, (n,) in 0..1."""
