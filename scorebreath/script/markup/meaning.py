@@ -35,6 +35,15 @@ class Document:
     voices: list[str] = field(default_factory=lambda: [""])
     breathing: list[BreathingMark] = field(default_factory=lambda: [BreathingMark(at=0, written="")])
 
+    def text(self, text: str, element: int) -> None:
+        """Take what stands in an element that may hold anything.
+
+        Args:
+            text: As written.
+            element: Which it is: the byte at which its tag begins.
+        """
+        self.writer.text(text)
+
     def mark_prosody(self, written: str) -> None:
         """Say how the voice speaks from here on."""
         now = self.prosody[-1]
@@ -55,7 +64,7 @@ def _speak(document: Document, attributes: Attributes) -> Close | None:
     return None
 
 
-def _language(document: Document, attributes: Attributes) -> None:
+def check_language(document: Document, attributes: Attributes) -> None:
     """An element may name the language of the whole text again."""
     if "xml:lang" in attributes.values:
         whole = (document.language or "en").replace("_", "-").partition("-")[0].lower()
@@ -74,7 +83,7 @@ def _primary(attributes: Attributes) -> str:
 
 
 def _paragraph(document: Document, attributes: Attributes) -> Close:
-    _language(document, attributes)
+    check_language(document, attributes)
     document.writer.paragraph()
 
     def close(_: str, __: str) -> None:
@@ -84,7 +93,7 @@ def _paragraph(document: Document, attributes: Attributes) -> Close:
 
 
 def _sentence(document: Document, attributes: Attributes) -> Close:
-    _language(document, attributes)
+    check_language(document, attributes)
     document.writer.sentence()
 
     def close(_: str, __: str) -> None:
@@ -94,7 +103,7 @@ def _sentence(document: Document, attributes: Attributes) -> Close:
 
 
 def _transparent(document: Document, attributes: Attributes) -> None:
-    _language(document, attributes)
+    check_language(document, attributes)
 
 
 def _break(document: Document, attributes: Attributes) -> None:
@@ -110,17 +119,18 @@ def _break(document: Document, attributes: Attributes) -> None:
 
 
 def _mark(document: Document, attributes: Attributes) -> None:
-    name = _name(attributes, "one name")
+    name = mark_name(attributes, "one name")
     document.writer.mark(NamedMark(at=0, written=attributes.written, name=name))
 
 
-def _name(attributes: Attributes, what: str) -> str:
+def mark_name(attributes: Attributes, what: str) -> str:
+    """The attribute `name`, as `what` it names."""
     expected = f"{what} of at most {LONGEST_NAME} letters without spaces"
     return attributes.read("name", lambda text: text if is_name(text) else None, "", expected)
 
 
 def _emphasis(document: Document, attributes: Attributes) -> Close:
-    return _prosody_until_end(document, attributes, attributes.choice("level", values.EMPHASES, "moderate"))
+    return prosody_until_end(document, attributes, attributes.choice("level", values.EMPHASES, "moderate"))
 
 
 def _prosody(document: Document, attributes: Attributes) -> Close:
@@ -130,10 +140,10 @@ def _prosody(document: Document, attributes: Attributes) -> Close:
         attributes.read("volume", values.volume, 0.0, values.VOLUME_FORM),
         document.prosody[-1].emphasis,
     )
-    return _prosody_until_end(document, attributes, change)
+    return prosody_until_end(document, attributes, change)
 
 
-def _prosody_until_end(document: Document, attributes: Attributes, change: Prosody) -> Close:
+def prosody_until_end(document: Document, attributes: Attributes, change: Prosody) -> Close:
     """Another way of speaking up to the element's end."""
     document.prosody.append(document.prosody[-1].then(change))
     document.mark_prosody(attributes.written)
@@ -166,8 +176,8 @@ def _say_as(document: Document, attributes: Attributes) -> Close:
 
 
 def _voice(document: Document, attributes: Attributes) -> Close:
-    _language(document, attributes)
-    name = _name(attributes, "the name of one voice")
+    check_language(document, attributes)
+    name = mark_name(attributes, "the name of one voice")
     document.voices.append(name)
     document.writer.mark(VoiceMark(at=0, written=attributes.written, voice=name))
 
