@@ -9,17 +9,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scorebreath.score.events import Phone, Utterance
-from scorebreath.signal.contour import melody, stylise
+from scorebreath.signal.contour import TOLERANCE, melody, stylise
 from scorebreath.units import snap
 
 LOW = 10.0
 """Percentile of the voiced pitch that is called the voice's low tone."""
+VOWELS = frozenset("aeiouyæøœɶɐɑɒɔəɘɚɛɜɝɞɤɨɪɯɵʉʊʌʏᵻᵿ")
+"""Letters of the IPA that a vowel begins with."""
+SYLLABIC = frozenset("\u0329\u030d")
+"""Marks of a consonant that is a nucleus."""
 REACH = 0.15
 """s that a maximum may lie outside the word it belongs to: peaks come late."""
 
@@ -65,9 +70,12 @@ def extrema(utterance: Utterance) -> tuple[Extremum, ...]:
 
 
 def _peaks(heights: NDArray[np.float64], corners: NDArray[np.intp]) -> list[int]:
-    """Corners higher than their neighbours."""
-    around = np.concatenate(([-np.inf], heights[corners], [-np.inf]))
-    return [int(c) for c in corners[(around[1:-1] > around[:-2]) & (around[1:-1] >= around[2:])]]
+    """Corners higher than their neighbours; the first and the last, which are always corners, by the tolerance."""
+    found = heights[corners]
+    around = np.concatenate(([found[0] - TOLERANCE], found, [found[-1] - TOLERANCE]))
+    higher = (found > around[:-2]) & (found >= around[2:])
+    higher[[0, -1]] &= found[[0, -1]] >= found[[1, -2]] + TOLERANCE
+    return [int(corner) for corner in corners[higher]]
 
 
 def _in_turn(peaks: Sequence[Extremum], heights: NDArray[np.float64], utterance: Utterance) -> tuple[Extremum, ...]:
@@ -75,7 +83,7 @@ def _in_turn(peaks: Sequence[Extremum], heights: NDArray[np.float64], utterance:
     step = utterance.pitch.step
     places = [-1, *(_place(peak.time, step) for peak in peaks), heights.size]
     out: list[Extremum] = []
-    for number, (before, after) in enumerate(zip(places[:-1], places[1:], strict=True)):
+    for number, (before, after) in enumerate(pairwise(places)):
         if number:
             out.append(peaks[number - 1])
         if after - before > 1:
@@ -126,7 +134,28 @@ def _accented(utterance: Utterance) -> dict[int, tuple[float, float]]:
 
 
 def syllable(phones: Sequence[Phone]) -> tuple[float, float]:
-    """Onset and end of a word's stressed syllable, s: its vowel, and the consonants that go with it."""
-    stressed = next((n for n, phone in enumerate(phones) if phone.stress == 1), 0)
-    last = phones[stressed]
-    return snap(last.onset), snap(last.onset + last.duration)
+    """Onset and end of a word's stressed syllable, s from where the phones' onsets count.
+
+    It is the vowel with primary stress (the first vowel, where none is marked), the consonants before it and those
+    behind it; of consonants between two vowels the last one belongs to the second, at a word's edge all do.
+
+    Args:
+        phones: Of one word, at least one.
+    """
+    vowels = [n for n, phone in enumerate(phones) if is_vowel(phone.ipa)] or [0]
+    stressed = [n for n, phone in enumerate(phones) if phone.stress == 1]
+    nucleus = next((n for n in vowels if stressed and n >= stressed[0]), stressed[0] if stressed else vowels[0])
+    before = max((n for n in vowels if n < nucleus), default=-1)
+    after = min((n for n in vowels if n > nucleus), default=len(phones))
+    first = 0 if before < 0 else max(before + 1, nucleus - 1)
+    last = len(phones) - 1 if after == len(phones) else max(nucleus, after - 2)
+    return snap(phones[first].onset), snap(phones[last].onset + phones[last].duration)
+
+
+def is_vowel(ipa: str) -> bool:
+    """Whether a phone is the nucleus of a syllable: a vowel, or a consonant marked as syllabic.
+
+    >>> [is_vowel(ipa) for ipa in ("oʊ", "ɹ", "n̩", "")]
+    [True, False, True, False]
+    """
+    return ipa[:1] in VOWELS if ipa[:1] and not SYLLABIC & set(ipa) else bool(ipa)
