@@ -20,7 +20,7 @@ from scorebreath.planning.planners import open_planner
 from scorebreath.score.document import Group, MediaInfo, Score
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration
 from scorebreath.script.marks import StateMark
-from scorebreath.script.markup.marked import Markup
+from scorebreath.script.markup.marked import Marked, Markup
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import read
 from scorebreath.speech.model import Speech, SpeechRequest, Voice
@@ -32,7 +32,7 @@ Progress = Callable[[float], None]
 
 
 def compile_text(
-    text: str,
+    text: str | Marked,
     *,
     voice: Voice,
     media: MediaStore,
@@ -54,7 +54,7 @@ def compile_text(
     """Turn a text into a Score.
 
     Args:
-        text: What is to be said.
+        text: What is to be said; or with its markup taken out already, by `script.markup.marked`.
         voice: Who says it.
         media: Where the speech goes.
         parameters: Defaults where nothing is given.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from scorebreath_cli.settings import MARKUPS
+from scorebreath_cli.settings import FACE_PARTS, MARKUPS
 
 
 def models() -> list[str]:
@@ -41,6 +41,25 @@ def markups() -> list[str]:
     return list(MARKUPS)
 
 
+def faces() -> list[str]:
+    """Ways a face can behave."""
+    from scorebreath.parameters.face_table import FACES
+
+    return list(FACES)
+
+
+def parts() -> list[str]:
+    """Parts of a face."""
+    return list(FACE_PARTS)
+
+
+def rigs() -> list[str]:
+    """Characters whose shapes are known."""
+    from scorebreath_cli.rigs import rig_names
+
+    return list(rig_names())
+
+
 def engines() -> list[str]:
     """Sound engines."""
     from scorebreath.engine.engines import ENGINES
@@ -61,6 +80,21 @@ def parameters() -> list[str]:
 
 
 CHOICES: Mapping[str, Callable[[], list[str]]] = MappingProxyType(
-    {kind.__name__: kind for kind in (models, presets, voices, states, markups, engines, assignments, parameters)}
+    {
+        kind.__name__: kind
+        for kind in (
+            models,
+            presets,
+            voices,
+            states,
+            markups,
+            faces,
+            parts,
+            rigs,
+            engines,
+            assignments,
+            parameters,
+        )
+    }
 )
 """Every kind of name that completes."""

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from scorebreath.media.recordings import Recordings
     from scorebreath.media.store import MediaStore
     from scorebreath.score.document import Score
-    from scorebreath.script.markup.marked import Markup
+    from scorebreath.script.markup.marked import Marked
     from scorebreath.speech.model import Voice
 
 
@@ -104,12 +104,11 @@ class Compiler:
         self.prepare(source)
         from scorebreath.pipeline import compile_text
         from scorebreath.score.events import WarningEvent
-        from scorebreath.script.decode import decode
 
         cast = options.casting()
-        parameters, states, markup = options.parameters(), options.begin(), options.kind_of_markup()
-        text = decode(source.data, source.name)
-        language = options.language or language_of(text, markup, source.name)
+        parameters, states = options.parameters(), options.begin()
+        text = text_of(source, options)
+        language = options.language or text.language or DEFAULT_LANGUAGE
         voice = self.voice(language=language)
         lead, tail = seconds("lead", options.lead, LEAD), seconds("tail", options.tail, TAIL)
         self._printer.progress("speak", 0.0)
@@ -126,7 +125,6 @@ class Compiler:
             lead=lead,
             tail=tail,
             file=source.name,
-            markup=markup,
             states=states,
             voices=lambda name: self.voice(name, language),
             cast=cast,
@@ -135,8 +133,8 @@ class Compiler:
         )
         self._printer.progress("speak", 1.0)
         warnings = [event.text for event in score.of(WarningEvent)]
-        for text in warnings[:MOST_WARNINGS]:
-            self._printer.note(f"{source.name}: {text}")
+        for said in warnings[:MOST_WARNINGS]:
+            self._printer.note(f"{source.name}: {said}")
         if len(warnings) > MOST_WARNINGS:
             self._printer.note(f"{source.name}: {len(warnings) - MOST_WARNINGS} more warnings stand in the score")
         for idle in cast.keys() - {name for name, _ in self._voices}:
@@ -153,17 +151,17 @@ class Compiler:
             voice.close()
 
 
-def language_of(text: str, markup: Markup, file: str) -> str:
-    """The language that the markup of a text says it is in, or English.
+def text_of(source: Source, options: CompileOptions) -> Marked:
+    """The text of a script, its markup taken out: what it says about its language is known before a voice is opened.
 
     Raises:
-        ScriptError: The markup is wrong.
+        InputError: It is no text, its markup is wrong, or there is no such kind of markup.
     """
-    from scorebreath.script.markup.marked import is_ssml, marked
+    from scorebreath.script.decode import decode
+    from scorebreath.script.markup.marked import marked
 
-    if markup == "ssml" or (markup == "auto" and is_ssml(text)):
-        return marked(text, markup=markup, file=file).language or DEFAULT_LANGUAGE
-    return DEFAULT_LANGUAGE
+    markup = options.kind_of_markup()
+    return marked(decode(source.data, source.name), markup=markup, language=options.language, file=source.name)
 
 
 def _without_region(language: str, voice: Voice) -> str:

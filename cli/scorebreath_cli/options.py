@@ -8,6 +8,7 @@ import typer
 
 COMPILING = "Compiling"
 BREATHS = "Compiling: silences and breaths"
+FACE = "Compiling: the face"
 SOUND = "Sound and curves"
 
 
@@ -45,6 +46,23 @@ def complete_states(incomplete: str) -> list[str]:
 def complete_markups(incomplete: str) -> list[str]:
     """Kinds of markup."""
     return _names("markups", incomplete)
+
+
+def complete_faces(incomplete: str) -> list[str]:
+    """Ways a face can behave."""
+    return _names("faces", incomplete)
+
+
+def complete_parts(incomplete: str) -> list[str]:
+    """Parts of a face, each but those that stand before it already."""
+    before, comma, last = incomplete.rpartition(",")
+    named = before.split(",")
+    return [f"{before}{comma}{part}" for part in _names("parts", last) if part not in named]
+
+
+def complete_rigs(incomplete: str) -> list[str]:
+    """Characters whose shapes are known."""
+    return _names("rigs", incomplete)
 
 
 def complete_engines(incomplete: str) -> list[str]:
@@ -166,6 +184,22 @@ BreathMotion = Annotated[
     typer.Option(
         "--breath-motion/--no-breath-motion", help="Whether breaths are seen; no time changes.",
         rich_help_panel=BREATHS,
+    ),
+]  # fmt: skip
+Face = Annotated[
+    str | None,
+    typer.Option(
+        "--face", metavar="NAME",
+        help="How the face behaves: restrained (default), as people do; albrecht-2002, at the rates of that paper.",
+        autocompletion=complete_faces, rich_help_panel=FACE,
+    ),
+]  # fmt: skip
+Without = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--without", metavar="PART,...",
+        help="What the face leaves out, nothing else changing: blinks, brows, head, gaze, emotion; may be repeated.",
+        autocompletion=complete_parts, rich_help_panel=FACE,
     ),
 ]  # fmt: skip
 

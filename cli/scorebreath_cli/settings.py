@@ -24,6 +24,8 @@ LEAD, TAIL = 0.5, 1.0
 """Silence before and after, s."""
 LONGEST_SILENCE = 60.0
 LARGEST_SEED = 2**53 - 1
+FACE_PARTS = ("blinks", "brows", "head", "gaze", "emotion")
+"""What a face can be told to leave out: each is a parameter `face_...`."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,6 +47,8 @@ class CompileOptions:
     tail: float | None = None
     breath_sound: bool | None = None
     breath_motion: bool | None = None
+    face: str | None = None
+    without: tuple[str, ...] = ()
 
     def refuse(self, source: str) -> None:
         """A Score is compiled already: none of these applies.
@@ -58,10 +62,11 @@ class CompileOptions:
                 raise InputError(f"{source}: is a score; {_flag(field.name, value)} belongs to compiling a script")
 
     def parameters(self) -> Parameters:
-        """Presets, then `--set`, then `--breath-sound` and `--breath-motion`: what comes later wins.
+        """Presets, then `--set`, then options of their own (`--breath-sound`, `--face`): what comes later wins.
 
         Raises:
             ParameterError: A name or value is wrong.
+            InputError: There is no such face, or no such part of one.
         """
         from scorebreath.parameters.table import Parameters
 
@@ -76,8 +81,31 @@ class CompileOptions:
         for preset in self.presets:
             values.update(load_preset(preset).values)
         values.update(parse_assignment(text) for text in self.assignments)
-        flags = {"breath_sound": self.breath_sound, "breath_motion": self.breath_motion}
-        return values | {name: flag for name, flag in flags.items() if flag is not None}
+        options = {"breath_sound": self.breath_sound, "breath_motion": self.breath_motion, "face": self._face()}
+        values |= {name: value for name, value in options.items() if value is not None}
+        return values | {f"face_{part}": False for part in self.left_out()}
+
+    def _face(self) -> str | None:
+        from scorebreath.parameters.face_table import FACES
+
+        if self.face is not None and self.face not in FACES:
+            raise _unknown("--face", self.face, FACES)
+        return self.face
+
+    def left_out(self) -> tuple[str, ...]:
+        """Parts of the face that are not to be seen.
+
+        Raises:
+            InputError: There is no such part.
+
+        >>> CompileOptions(without=("blinks, head", "gaze")).left_out()
+        ('blinks', 'head', 'gaze')
+        """
+        parts = [part.strip() for given in self.without for part in given.split(",")]
+        for part in parts:
+            if part not in FACE_PARTS:
+                raise _unknown("--without", part, FACE_PARTS)
+        return tuple(dict.fromkeys(parts))
 
     def casting(self) -> dict[str, Parameters]:
         """Parameters of those who speak with another voice: as everybody's, and what their presets set.
@@ -131,6 +159,11 @@ class CompileOptions:
 
 _RATE = re.compile(r"[0-9]{1,9}(\.[0-9]{0,9}|/0{0,3}[1-9][0-9]{0,8})?")
 _FLAGS = {"assignments": "--set", "presets": "--preset", "states": "--state"}
+
+
+def _unknown(flag: str, given: str, known: tuple[str, ...]) -> InputError:
+    shown = shortened(given, 40) or "(nothing)"
+    return InputError(f"{flag} {shown}: expected {', '.join(known)}{did_you_mean(given, known) if given else ''}")
 
 
 def _flag(name: str, value: object) -> str:

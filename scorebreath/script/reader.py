@@ -22,7 +22,7 @@ from scorebreath.script.decode import SURROGATE, universal_newlines
 from scorebreath.script.dialogue import turns as turns_of
 from scorebreath.script.kinds import kinds as kinds_of
 from scorebreath.script.marks import Mark
-from scorebreath.script.markup.marked import Markup, marked
+from scorebreath.script.markup.marked import Marked, Markup, marked
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.sentence import Ending, make_sentence
 from scorebreath.script.verse import is_verse
@@ -296,7 +296,7 @@ class Reader:
 
 
 def read(
-    text: str,
+    text: str | Marked,
     *,
     language: str | None = None,
     poem: bool | None = None,
@@ -306,7 +306,7 @@ def read(
     """Read a whole text.
 
     Args:
-        text: The text; `decode` makes it from bytes.
+        text: The text; `decode` makes it from bytes. Or with its markup taken out already, by `marked`.
         language: BCP 47; only the primary language counts. None: what the text's markup says, or English.
         poem: Whether line ends are edges; None: if `is_verse` says so.
         file: Its name, for messages.
@@ -315,7 +315,7 @@ def read(
     Raises:
         ScriptError: Nothing in it can be spoken, it is too long, no text, or its markup is wrong.
     """
-    clean = marked(text, markup=markup, language=language, file=file)
+    clean = text if isinstance(text, Marked) else marked(text, markup=markup, language=language, file=file)
     text = clean.text
     language = primary((clean.language or DEFAULT_LANGUAGE) if language is None else language)
     poem = is_verse(text) if poem is None else poem

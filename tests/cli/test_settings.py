@@ -30,6 +30,8 @@ GIVEN: dict[str, tuple[Any, str]] = {
     "tail": (0.0, "--tail"),
     "breath_sound": (False, "--no-breath-sound"),
     "breath_motion": (True, "--breath-motion"),
+    "face": ("restrained", "--face"),
+    "without": (("head",), "--without"),
 }
 
 

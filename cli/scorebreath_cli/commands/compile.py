@@ -34,6 +34,8 @@ def compile_(
     tail: o.Tail = None,
     breath_sound: o.BreathSound = None,
     breath_motion: o.BreathMotion = None,
+    face: o.Face = None,
+    without: o.Without = None,
     force: o.Force = False,
     json_lines: o.Json = False,
     debug: o.Debug = False,
@@ -46,6 +48,7 @@ def compile_(
         voice=voice, model=model, presets=tuple(preset or ()), assignments=tuple(assign or ()),
         states=tuple(state or ()), cast=tuple(cast or ()), markup=markup, breaths=breaths, seed=seed,
         language=language, poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
+        face=face, without=tuple(without or ()),
     )  # fmt: skip
     with reporting(lambda: printers.make(json_lines, script), debug=debug) as printer:
         from scorebreath.errors import InputError

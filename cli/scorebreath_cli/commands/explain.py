@@ -11,7 +11,7 @@ import typer
 from scorebreath_cli import options as o
 from scorebreath_cli import printers
 from scorebreath_cli.failures import Status, reporting
-from scorebreath_cli.settings import DEFAULT_MODEL, CompileOptions
+from scorebreath_cli.settings import DEFAULT_LANGUAGE, DEFAULT_MODEL, CompileOptions
 from scorebreath_cli.settings import seed as seed_of
 
 if TYPE_CHECKING:
@@ -73,15 +73,14 @@ def _of_score(source: Source, options: CompileOptions) -> Iterator[GroupRow]:
 def _of_script(source: Source, compiler: Compiler) -> Iterator[GroupRow]:
     from scorebreath.pipeline import begin_states, plan_script
     from scorebreath.planning.explain import explain as rows
-    from scorebreath.script.decode import decode
     from scorebreath.script.reader import read
-    from scorebreath_cli.making import language_of
+    from scorebreath_cli.making import text_of
 
     options = compiler.options
     parameters = options.parameters()
-    text, markup = decode(source.data, source.name), options.kind_of_markup()
-    language = options.language or language_of(text, markup, source.name)
-    script = read(text, language=language, poem=options.poem, file=source.name, markup=markup)
+    text = text_of(source, options)
+    language = options.language or text.language or DEFAULT_LANGUAGE
+    script = read(text, language=language, poem=options.poem, file=source.name)
     groups = plan_script(
         script,
         parameters=parameters,

@@ -43,6 +43,8 @@ def render(
     tail: o.Tail = None,
     breath_sound: o.BreathSound = None,
     breath_motion: o.BreathMotion = None,
+    face: o.Face = None,
+    without: o.Without = None,
     engine: o.Engine = DEFAULT_ENGINE,
     rate: o.Rate = 48000,
     fps: o.Fps = "60",
@@ -60,6 +62,7 @@ def render(
         voice=voice, model=model, presets=tuple(preset or ()), assignments=tuple(assign or ()),
         states=tuple(state or ()), cast=tuple(cast or ()), markup=markup, breaths=breaths, seed=seed,
         language=language, poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
+        face=face, without=tuple(without or ()),
     )  # fmt: skip
     with reporting(lambda: printers.make(json_lines, inputs[0] if len(inputs) == 1 else ""), debug=debug) as printer:
         from pathlib import Path
