@@ -51,11 +51,12 @@ def _rows(options: CompileOptions, names: list[str]) -> list[dict[str, Any]]:
 
     from scorebreath.errors import ParameterError
     from scorebreath.parameters.derive import derive
+    from scorebreath.parameters.faces import face
     from scorebreath.parameters.table import bounds, osc_address
     from scorebreath.units import plain
 
     parameters = options.parameters()
-    derived = {**asdict(derive(parameters)), **_of_the_body(parameters)}
+    derived = {**asdict(derive(parameters)), **asdict(face(parameters)), **_of_the_body(parameters)}
     rows = []
     for given in names:
         name = given.replace("-", "_")
