@@ -1,0 +1,71 @@
+"""What a rig's columns can be made from besides channels: a few combinations of them, each a row here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+
+from scorebreath.curves.tracks import Array
+
+CLOSING = 0.5
+"""Value of lip_close from which on lips are about to shut: outside of that the closure gate changes nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Driver:
+    """A function of channels."""
+
+    channels: tuple[str, ...]
+    """what it is given, in this order"""
+    of: Callable[..., Array]
+    """(n,) each in, (n,) out"""
+    meaning: str
+
+
+def _closing(close: Array) -> Array:
+    return np.clip((close - CLOSING) / (1.0 - CLOSING), 0.0, 1.0)
+
+
+DRIVERS: Mapping[str, Driver] = MappingProxyType(
+    {
+        "mouth": Driver(
+            ("jaw_open", "mouth_open"), np.maximum,
+            "the mouth's opening, to speak or to breathe",
+        ),
+        "breath_only": Driver(
+            ("jaw_open", "mouth_open"), lambda jaw, breath: np.maximum(breath - jaw, 0.0),
+            "how much further the breath opens the mouth than speech",
+        ),
+        "aperture": Driver(
+            ("jaw_open", "mouth_open", "lip_close"),
+            lambda jaw, breath, close: np.maximum(jaw, breath) * (1.0 - close),
+            "what of that opening the lips leave",
+        ),
+        "covered": Driver(
+            ("jaw_open", "mouth_open", "lip_close"), lambda jaw, breath, close: np.maximum(jaw, breath) * close,
+            "what of that opening the lips cover",
+        ),
+        "closing": Driver(("lip_close",), _closing, "how far the lips are shut for p, b, m"),
+        "unrounded": Driver(
+            ("jaw_open", "lip_round"), lambda jaw, rounded: jaw * (1.0 - rounded), "jaw open behind spread lips (aa)"
+        ),
+        "rounded": Driver(
+            ("jaw_open", "lip_round"), lambda jaw, rounded: jaw * rounded, "jaw open behind round lips (oh)"
+        ),
+        "shut_left": Driver(("lid_left",), lambda lid: np.maximum(lid, 0.0), "how far the left eye is shut"),
+        "shut_right": Driver(("lid_right",), lambda lid: np.maximum(lid, 0.0), "how far the right eye is shut"),
+        **{
+            f"{channel}.{way}": Driver((channel,), of, f"{channel}, {way}")
+            for channel, ways in (
+                ("eye_pitch", ("up", "down")), ("eye_yaw", ("left", "right")),
+            )
+            for way, of in zip(
+                ways, (lambda angle: np.maximum(angle, 0.0), lambda angle: np.maximum(-angle, 0.0)), strict=True
+            )
+        },
+    }
+)  # fmt: skip
+"""By name; each 0 or more."""

@@ -1,0 +1,140 @@
+"""A rig: a table from channels to a character's own shapes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from scorebreath.curves.curve_set import CurveSet
+from scorebreath.curves.rigs.drivers import DRIVERS
+from scorebreath.curves.rigs.prototypes import Prototypes
+from scorebreath.curves.tracks import Array
+from scorebreath.score.acting import EMOTIONS
+
+Negative = Literal["clip", "offset", "allow"]
+GATE = "closing"
+"""The driver that shuts lips for p, b and m: the closure gate."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """One shape, angle or parameter of a character."""
+
+    name: str
+    unit: str
+    """empty for a plain ratio"""
+    low: float
+    high: float
+    negative: Negative
+    """what is done with channels that add up to less than 0: `clip` takes 0, `offset` shows -1..1 as 0..1 with 0.5 at
+    rest, `allow` takes them as they are"""
+    parts: Mapping[str, float]
+    """factor of each channel, driver or prototype, in the column's unit"""
+    emotions: Mapping[str, float]
+    """what each emotion adds at full intensity, in the column's unit"""
+    gate: float
+    """share of it that the closure gate takes away, 0..1"""
+    shuts: str
+    """the column which it equals where the closure gate shuts the lips, or empty"""
+    yields: str
+    """the driver that takes its emotions away: a lid that shuts, or empty"""
+
+    @property
+    def made_of(self) -> str:
+        """The row in words: factors of channels, then of emotions."""
+        parts = [f"{gain:g} {name}" for name, gain in self.parts.items()]
+        felt = [f"{gain:g} {name}" for name, gain in self.emotions.items()]
+        said = {"clip": "", "offset": ", halved around 0.5", "allow": ""}[self.negative] if parts else ""
+        return ("; ".join([" + ".join(parts) + said, " + ".join(felt)]) if felt else " + ".join(parts) + said) or "0"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rig:
+    """A table of columns, ready to be sampled; read by `rigs.rig_named`."""
+
+    name: str
+    about: str
+    """what it is for, and where its names come from"""
+    signs: str
+    """what is positive, and whose left is left"""
+    table: tuple[Column, ...]
+    prototypes: Prototypes | None = None
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names, in their order."""
+        return tuple(column.name for column in self.table)
+
+    def column(self, name: str) -> int:
+        """Where a column stands."""
+        return self.columns.index(name)
+
+    def sample(self, curve_set: CurveSet, times: ArrayLike) -> Array:
+        """The columns at any times; each row depends on its own time alone.
+
+        Channels times factors are summed, `negative` is applied, emotions are added, the sum is held within the
+        column's range; the closure gate comes last, so no emotion opens p, b or m (design: Mixing). Where the
+        `curve_set` has no closure gate the sum stays plain, as in S3 (A18, A43).
+
+        Args:
+            curve_set: Whose curves.
+            times: Seconds, (n,).
+
+        Returns:
+            (n, columns) float64, in the units of `table`.
+
+        Raises:
+            InputError: A time is not a finite number.
+        """
+        sources = self._sources(curve_set, times)
+        out = np.array([_sum(column, sources) for column in self.table])
+        if curve_set.closure_gate:
+            self._shut(out, sources[GATE])
+        return out.T
+
+    def _shut(self, out: Array, gate: Array) -> None:
+        for number, column in enumerate(self.table):
+            if column.gate:
+                out[number] *= 1.0 - column.gate * gate
+        for number, column in enumerate(self.table):
+            if column.shuts:
+                out[number] += (out[self.column(column.shuts)] - out[number]) * gate
+
+    def _sources(self, curve_set: CurveSet, times: ArrayLike) -> dict[str, Array]:
+        """Every channel, driver and prototype that the columns need, (n,) each."""
+        felt = {name for column in self.table for name in column.emotions}
+        wanted = {name for column in self.table for name in (*column.parts, column.yields) if name}
+        wanted |= {GATE} | {f"emotion_{name}" for name in EMOTIONS if name in felt}
+        if self.prototypes is not None:
+            wanted = (wanted - set(self.prototypes.names)) | set(self.prototypes.channels)
+        drivers = [name for name in sorted(wanted) if name in DRIVERS]
+        channels = sorted((wanted - set(drivers)) | {need for name in drivers for need in DRIVERS[name].channels})
+        found = dict(zip(channels, np.ascontiguousarray(curve_set.sample(times, channels).T), strict=True))
+        for name in drivers:
+            found[name] = DRIVERS[name].of(*(found[need] for need in DRIVERS[name].channels))
+        if self.prototypes is not None:
+            shares = self.prototypes.shares(np.array([found[name] for name in self.prototypes.channels]))
+            found |= dict(zip(self.prototypes.names, shares, strict=True))
+        return found
+
+
+def _sum(column: Column, sources: Mapping[str, Array]) -> Array:
+    """One column without the closure gate, (n,).
+
+    A sum in the table's order, not a matrix product: that differs in the last bit with the number of moments.
+    """
+    value = np.zeros(len(sources[GATE]))
+    for name, gain in column.parts.items():
+        value += gain * sources[name]
+    if column.negative == "clip":
+        value = np.maximum(value, 0.0)
+    elif column.negative == "offset":
+        value = 0.5 + 0.5 * value
+    left = 1.0 - sources[column.yields] if column.yields else 1.0
+    for name, gain in column.emotions.items():
+        value += gain * sources[f"emotion_{name}"] * left
+    return np.clip(value, column.low, column.high)
