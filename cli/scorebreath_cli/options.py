@@ -128,7 +128,7 @@ Cast = Annotated[
 Markup = Annotated[
     str | None,
     typer.Option(
-        "--markup", metavar="KIND", help="What stands in the text: tags, ssml, none; auto by default, as it looks.",
+        "--markup", metavar="KIND", help="What stands in the text: tags, ssml, maryxml, none; auto by default.",
         autocompletion=complete_markups, rich_help_panel=COMPILING,
     ),
 ]  # fmt: skip

@@ -19,7 +19,7 @@ DEFAULT_VOICE = "espeak"
 DEFAULT_MODEL = "natural"
 DEFAULT_LANGUAGE = "en"
 DEFAULT_ENGINE = "embedded"
-MARKUPS = ("auto", "tags", "ssml", "none")
+MARKUPS = ("auto", "tags", "ssml", "maryxml", "none")
 LEAD, TAIL = 0.5, 1.0
 """Silence before and after, s."""
 LONGEST_SILENCE = 60.0

@@ -1,4 +1,7 @@
-"""Bytes to text: UTF-8, strictly, with the place of the first byte that is not; and what no text may be."""
+"""Bytes to text: UTF-8, strictly, with the place of the first byte that is not; and what no text may be.
+
+XML that names an encoding of one byte a letter, as MaryXML of S3's time does, is read in it where it is not UTF-8.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +16,12 @@ SURROGATE = re.compile("[\ud800-\udfff]")
 """Half of a pair: no text."""
 
 _OTHER_ENCODINGS = ((b"\xff\xfe", "UTF-16"), (b"\xfe\xff", "UTF-16"))
+
+_DECLARED = re.compile(rb"\s*<\?xml\b[^>]{0,100}?\bencoding\s*=\s*[\"']([A-Za-z0-9._-]{1,40})[\"']")
+_BY_XML = {
+    "iso-8859-1": "iso-8859-1", "latin1": "iso-8859-1", "iso-8859-15": "iso-8859-15", "windows-1252": "cp1252",
+}  # fmt: skip
+"""Encodings that XML may name, in small letters, and what Python calls them."""
 
 _TERMINAL = re.compile(
     r"(?:\x1b\[[0-?]*|\x9b[0-?]+)[@-~]"
@@ -33,7 +42,7 @@ def decode(data: bytes, file: str = "") -> str:
         file: Its name, for messages.
 
     Raises:
-        ScriptError: Not UTF-8, a NUL byte (a binary file), or larger than `LIMIT`.
+        ScriptError: Not UTF-8 (nor what its XML declaration names), a NUL byte (a binary file), or larger than `LIMIT`.
     """
     if len(data) > LIMIT:
         raise ScriptError(
@@ -45,11 +54,29 @@ def decode(data: bytes, file: str = "") -> str:
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:
+        if (declared := _declared(data)) is not None:
+            return _clean(declared)
         found = f"byte 0x{data[error.start]:02x} that is not UTF-8 ({error.reason})"
         raise _at(data, error.start, found, "UTF-8 text", file) from None
     if (place := data.find(b"\0")) >= 0:
         raise _at(data, place, "NUL character", "text, not a binary file", file)
+    return _clean(text)
+
+
+def _clean(text: str) -> str:
     return universal_newlines(_TERMINAL.sub("", text.removeprefix("\ufeff")))
+
+
+def _declared(data: bytes) -> str | None:
+    """The text in the encoding that an XML declaration names, if that is one we know."""
+    match = _DECLARED.match(data)
+    encoding = _BY_XML.get(match[1].decode("ascii").lower()) if match else None
+    if encoding is None or b"\0" in data:
+        return None
+    try:
+        return data.decode(encoding)
+    except UnicodeDecodeError:  # cp1252 has holes
+        return None
 
 
 def universal_newlines(text: str) -> str:

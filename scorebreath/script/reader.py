@@ -25,6 +25,7 @@ from scorebreath.script.marks import Mark
 from scorebreath.script.markup.marked import Marked, Markup, marked
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.sentence import Ending, make_sentence
+from scorebreath.script.told import Told, between
 from scorebreath.script.verse import is_verse
 
 AHEAD = 40
@@ -74,6 +75,7 @@ class Reader:
         turns: Places of newlines that end a paragraph, ascending.
         ends: Places of characters that end a sentence whatever they look like, ascending.
         marks: What the markup asks for, ascending; like the places, there before the text that they stand in.
+        told: What MaryXML tells of words, each at a place of one of the word's letters, ascending; there as well.
 
     Raises:
         ScriptError: `language` is no language tag.
@@ -87,12 +89,14 @@ class Reader:
         turns: Sequence[int] = (),
         ends: Sequence[int] = (),
         marks: Sequence[Mark] = (),
+        told: Sequence[tuple[int, Told]] = (),
     ) -> None:
         """Start with an empty text."""
         self._language = primary(language)
         self._poem = poem
         self._told = (turns, "f"), (ends, FORCED)
         self._marks = marks
+        self._knowledge = told
         self._marked = 0  # marks that are given
         self._text = self._kinds = self._carry = ""
         self._base = 0  # place of the buffer in the text
@@ -288,6 +292,7 @@ class Reader:
             stanza=self._stanza,
             edge=edge,
             marks=marks,
+            told=between(self._knowledge, raw.start, raw.start + len(raw.text)),
         )
         self._line = raw.line + raw.text.count("\n") + gap.count("\n")
         self._stanza += apart
@@ -310,7 +315,7 @@ def read(
         language: BCP 47; only the primary language counts. None: what the text's markup says, or English.
         poem: Whether line ends are edges; None: if `is_verse` says so.
         file: Its name, for messages.
-        markup: Which markup it has; `auto`: SSML if it begins with `<speak`, else inline tags.
+        markup: Which markup it has; `auto`: MaryXML or SSML if it begins like that, else inline tags.
 
     Raises:
         ScriptError: Nothing in it can be spoken, it is too long, no text, or its markup is wrong.
@@ -319,7 +324,9 @@ def read(
     text = clean.text
     language = primary((clean.language or DEFAULT_LANGUAGE) if language is None else language)
     poem = is_verse(text) if poem is None else poem
-    reader = Reader(language=language, poem=poem, turns=turns_of(text), ends=clean.ends, marks=clean.marks)
+    reader = Reader(
+        language=language, poem=poem, turns=turns_of(text), ends=clean.ends, marks=clean.marks, told=clean.told
+    )
     sentences = (*reader.feed(text), *reader.finish())
     if not sentences and not clean.marks:
         found = "only punctuation and symbols" if text.strip() else "an empty text"

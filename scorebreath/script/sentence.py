@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Literal
@@ -11,6 +11,7 @@ from scorebreath.script.marks import Mark
 from scorebreath.script.model import ScriptWord, Sentence, SentenceType
 from scorebreath.script.normalise.speak import speak
 from scorebreath.script.normalise.tables import tables
+from scorebreath.script.told import Told, together
 from scorebreath.script.words import cut
 from scorebreath.spans import Span, SpokenText
 
@@ -35,6 +36,7 @@ def make_sentence(
     stanza: int,
     edge: Ending | None,
     marks: Sequence[Mark] = (),
+    told: Sequence[tuple[int, Told]] = (),
 ) -> Sentence | None:
     """Read one sentence.
 
@@ -48,6 +50,7 @@ def make_sentence(
         stanza: Paragraph it stands in, from 0.
         edge: What ends with it; None for a part of a sentence.
         marks: What the markup asks for in it and up to the next sentence; before it only if it is the text's first.
+        told: What MaryXML tells of its words, each at a place of one of the word's letters, ascending.
 
     Returns:
         The sentence, or None if there is no word in it.
@@ -63,6 +66,8 @@ def make_sentence(
             word.line += line
     first, *others = speak(written, tables(language), text, start)
     words = (_begun(first, language), *others)
+    if told:
+        words = _with_told(words, told)
     before: tuple[Mark, ...] = ()
     if marks:
         before, words = _hung(words, marks)
@@ -87,6 +92,17 @@ def _hung(words: tuple[ScriptWord, ...], marks: Sequence[Mark]) -> tuple[tuple[M
     before = tuple(hung.pop(-1, ()))
     return before, tuple(
         replace(word, after=tuple(hung[index])) if index in hung else word for index, word in enumerate(words)
+    )
+
+
+def _with_told(words: tuple[ScriptWord, ...], told: Sequence[tuple[int, Told]]) -> tuple[ScriptWord, ...]:
+    """The words, each with what is told of it: of several tokens where the word is made of them."""
+    starts = [word.source.start for word in words]
+    found: dict[int, list[Told]] = {}
+    for place, one in told:
+        found.setdefault(max(0, bisect_right(starts, place) - 1), []).append(one)
+    return tuple(
+        replace(word, told=together(found[index])) if index in found else word for index, word in enumerate(words)
     )
 
 

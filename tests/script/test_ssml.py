@@ -251,7 +251,7 @@ def test_sub_and_what_is_ignored() -> None:
         ("<speak><!-- a", 1, 8, ("-->",)),
         ("<speak>\x01</speak>", 1, 8, ("broken XML",)),
         ("<speak>&#0;</speak>", 1, 8, ("number of a character",)),
-        ("<?xml version='1.0'?><maryxml>a</maryxml>", 1, 22, ("no element is called <maryxml>",)),
+        ("<?xml version='1.0'?><html>a</html>", 1, 22, ("no element is called <html>",)),
         ("<?xml version='1.0'?><p>a</p>", 1, 22, ("<p> as the outermost element", "<speak>")),
         ("<!DOCTYPE speak [<!ENTITY a 'b'>]><speak>&a;</speak>", 1, 1, ("document type", "nothing is fetched")),
         ("\n<!DOCTYPE speak SYSTEM 'file:///etc/passwd'><speak/>", 2, 1, ("document type",)),

@@ -10,12 +10,15 @@ from scorebreath.script.decode import checked
 from scorebreath.script.marks import Mark
 from scorebreath.script.markup.origin import Origin
 from scorebreath.script.markup.settle import settle
+from scorebreath.script.told import Told
 
-Markup = Literal["auto", "tags", "ssml", "none"]
-"""Which markup a text has; `auto`: SSML if it begins like that, else inline tags."""
+Markup = Literal["auto", "tags", "ssml", "maryxml", "none"]
+"""Which markup a text has; `auto`: MaryXML or SSML if it begins like that, else inline tags."""
 
 _XML = re.compile(r"\s*+<(?:speak[\s/>]|\?xml\s|!DOCTYPE\s)")
 _COMMENT = re.compile(r"\s*+<!--")
+_BEFORE_ROOT = re.compile(r"\s*+(?:<\?.*?\?>|<!--.*?-->|<!DOCTYPE(?:[^>\"']|\"[^\"]*\"|'[^']*')*+>)", re.DOTALL)
+_MARYXML = re.compile(r"\s*+<maryxml[\s/>]")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,6 +33,8 @@ class Marked:
     """places of the last characters of sentences that the markup ends, whatever they look like"""
     language: str | None = None
     """BCP 47, if the text tells"""
+    told: tuple[tuple[int, Told], ...] = ()
+    """what MaryXML tells of words: each at a place of a letter of the word, ascending (A12)"""
 
 
 def marked(text: str, *, markup: Markup = "auto", language: str | None = None, file: str = "") -> Marked:
@@ -53,6 +58,10 @@ def marked(text: str, *, markup: Markup = "auto", language: str | None = None, f
     1.0
     """
     text = checked(text, file)
+    if markup == "maryxml" or (markup == "auto" and is_maryxml(text)):
+        from scorebreath.script.markup.maryxml.reading import parse as parse_maryxml
+
+        return parse_maryxml(Origin(text=text, file=file), language)
     if markup == "ssml" or (markup == "auto" and is_ssml(text)):
         from scorebreath.script.markup.ssml import parse
 
@@ -81,3 +90,19 @@ def is_ssml(text: str) -> bool:
             return False
         at = end + 3
     return _XML.match(text, at) is not None
+
+
+def is_maryxml(text: str) -> bool:
+    """Whether a text is a MaryXML document: its outermost element is `<maryxml>`.
+
+    >>> is_maryxml("<?xml version='1.0'?><!DOCTYPE maryxml SYSTEM 'x.dtd'><maryxml>Hi</maryxml>")
+    True
+    >>> is_maryxml("<speak>Hi</speak>"), is_maryxml("<maryxmlish>")
+    (False, False)
+    """
+    if "<maryxml" not in text:
+        return False
+    at = 0
+    while match := _BEFORE_ROOT.match(text, at):
+        at = match.end()
+    return _MARYXML.match(text, at) is not None
