@@ -9,8 +9,10 @@ from types import MappingProxyType
 from typing import BinaryIO
 
 from scorebreath.curves.curve_set import CurveSet, curves
-from scorebreath.errors import InputError
-from scorebreath.formats import curves_csv, curves_json, groups_csv
+from scorebreath.curves.rigs.rig import Rig
+from scorebreath.curves.rigs.table import RIGS, rig_named
+from scorebreath.errors import InputError, did_you_mean
+from scorebreath.formats import curves_csv, curves_json, fap, groups_csv, livelink_csv
 from scorebreath.score.document import Score
 
 
@@ -22,9 +24,16 @@ class ExportOptions:
     """frames a second, for formats of frames"""
     body: str | None = None
     """whose curves; None where the Score has one body"""
+    closure_gate: bool = True
+    """whether p, b and m shut the lips whatever else opens them"""
+    keys: bool = False
+    """whether key frames stand between the frames (A15, A16), for tables with a column of times"""
+    degrees: bool = False
+    """whether Live Link's angles are degrees instead of radians"""
 
 
 Writer = Callable[[BinaryIO, Score, ExportOptions], None]
+_CurvesWriter = Callable[[BinaryIO, CurveSet, float, ExportOptions], None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,11 +44,13 @@ class Format:
     suffix: str
     what: str
     write: Writer
+    keys: bool = False
+    """whether it can hold key frames"""
 
 
-def _of_curves(write: Callable[[BinaryIO, CurveSet, float, Fraction], None]) -> Writer:
+def _of_curves(write: _CurvesWriter) -> Writer:
     def writer(stream: BinaryIO, score: Score, options: ExportOptions) -> None:
-        write(stream, curves(score, options.body), score.duration, options.fps)
+        write(stream, curves(score, options.body, closure_gate=options.closure_gate), score.duration, options)
 
     return writer
 
@@ -51,16 +62,80 @@ def _of_score(write: Callable[[BinaryIO, Score], None]) -> Writer:
     return writer
 
 
+def _of_rig(name: str, write: Callable[[BinaryIO, Rig, CurveSet, float, ExportOptions], None]) -> Writer:
+    return _of_curves(lambda stream, of, duration, options: write(stream, rig_named(name), of, duration, options))
+
+
+def _channels_csv(stream: BinaryIO, of: CurveSet, duration: float, options: ExportOptions) -> None:
+    curves_csv.write(stream, of, duration, options.fps, keys=options.keys)
+
+
+def _channels_json(stream: BinaryIO, of: CurveSet, duration: float, options: ExportOptions) -> None:
+    curves_json.write(stream, of, duration, options.fps)
+
+
+def _rig_csv(stream: BinaryIO, rig: Rig, of: CurveSet, duration: float, options: ExportOptions) -> None:
+    curves_csv.write(stream, of, duration, options.fps, rig=rig, keys=options.keys)
+
+
+def _rig_json(stream: BinaryIO, rig: Rig, of: CurveSet, duration: float, options: ExportOptions) -> None:
+    curves_json.write(stream, of, duration, options.fps, rig=rig)
+
+
+def _livelink(stream: BinaryIO, rig: Rig, of: CurveSet, duration: float, options: ExportOptions) -> None:
+    livelink_csv.write(stream, rig, of, duration, options.fps, degrees=options.degrees)
+
+
+def _fap(stream: BinaryIO, rig: Rig, of: CurveSet, duration: float, options: ExportOptions) -> None:
+    fap.write(stream, rig, of, duration, options.fps)
+
+
+def rig_formats(rig: str) -> tuple[Format, ...]:
+    """What a rig can be written as: a table and a document, or what its own programs read.
+
+    Args:
+        rig: A name, or the path of a `.toml` file; see `rig_named`.
+    """
+    table = Format(
+        name=f"{rig}.csv", suffix=".csv", what=f"rig {rig}, a row a frame", write=_of_rig(rig, _rig_csv), keys=True
+    )
+    if rig == "livelink":
+        table = Format(
+            name=f"{rig}.csv", suffix=".csv", what="ARKit's shapes as the Live Link Face app records them",
+            write=_of_rig(rig, _livelink),
+        )  # fmt: skip
+    document = Format(
+        name=f"{rig}.json", suffix=".json", what=f"rig {rig}, a column each", write=_of_rig(rig, _rig_json)
+    )
+    if rig != "fap":
+        return table, document
+    file = Format(
+        name=f"{rig}.fap", suffix=".fap", what="MPEG-4 facial animation parameters, for players of FAP files",
+        write=_of_rig(rig, _fap),
+    )  # fmt: skip
+    return table, document, file
+
+
 FORMATS: Mapping[str, Format] = MappingProxyType(
     {
-        name: Format(name=name, suffix=suffix, what=what, write=write)
-        for name, suffix, what, write in (
-            ("curves.csv", ".csv", "all channels, a row a frame", _of_curves(curves_csv.write)),
-            ("curves.json", ".json", "all channels with their table, a column each", _of_curves(curves_json.write)),
-            ("groups.csv", ".csv", "breath groups, a row a breath", _of_score(groups_csv.write)),
+        row.name: row
+        for row in (
+            Format(
+                name="curves.csv", suffix=".csv", what="all channels, a row a frame", write=_of_curves(_channels_csv),
+                keys=True,
+            ),
+            Format(
+                name="curves.json", suffix=".json", what="all channels with their table, a column each",
+                write=_of_curves(_channels_json),
+            ),
+            Format(
+                name="groups.csv", suffix=".csv", what="breath groups, a row a breath",
+                write=_of_score(groups_csv.write),
+            ),
+            *(row for rig in RIGS for row in rig_formats(rig)),
         )
     }
-)
+)  # fmt: skip
 """Every format by its name."""
 
 
@@ -71,5 +146,7 @@ def format_named(name: str) -> Format:
         InputError: There is none.
     """
     if name not in FORMATS:
-        raise InputError(f"no format is called {name!r}; expected one of {', '.join(FORMATS)}")
+        raise InputError(
+            f"no format is called {name!r}{did_you_mean(name, FORMATS)}; expected one of {', '.join(FORMATS)}"
+        )
     return FORMATS[name]

@@ -1,14 +1,13 @@
-"""Frames: exact rates, exact times, and the curves at them, block by block."""
+"""Frames: exact rates, exact times, and what is sampled at them, block by block."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scorebreath.curves.curve_set import CurveSet
 from scorebreath.errors import InputError
 from scorebreath.units import GRID
 
@@ -16,7 +15,9 @@ BLOCK = 4096
 """Frames sampled and written at a time: bounds the memory whatever the length."""
 HIGHEST = 100_000
 """frames a second"""
-Micros = NDArray[np.int64]
+Floats = NDArray[np.float64]
+Sample = Callable[[Floats], Floats]
+"""Times (n,) in seconds to values (n, columns)."""
 
 
 def check_rate(fps: Fraction) -> Fraction:
@@ -39,21 +40,23 @@ def frame_count(duration: float, fps: Fraction) -> int:
     return round(duration * GRID) * fps.numerator // (GRID * fps.denominator) + 1
 
 
-def blocks(
-    curve_set: CurveSet, duration: float, fps: Fraction, names: Sequence[str] | None = None
-) -> Iterator[tuple[Micros, Micros]]:
+def blocks(sample: Sample, duration: float, fps: Fraction) -> Iterator[tuple[Floats, Floats]]:
     """Frame i at i / fps seconds, i = 0, 1, ..., in blocks.
 
     Yields:
-        Times (n,) and values (n, channels), both in millionths, rounded to the nearest.
+        Times (n,) in seconds and values (n, columns).
+
+    Raises:
+        InputError: The rate is out of range.
     """
     count = frame_count(duration, check_rate(fps))
     for first in range(0, count, BLOCK):
-        frames = np.arange(first, min(first + BLOCK, count))
-        seconds = frames * fps.denominator / fps.numerator
-        values = curve_set.sample(seconds, names)
-        yield _micros(seconds), _micros(values)
+        seconds = np.arange(first, min(first + BLOCK, count)) * fps.denominator / fps.numerator
+        yield seconds, sample(seconds)
 
 
-def _micros(values: NDArray[np.float64]) -> Micros:
-    return np.floor(values * GRID + 0.5).astype(np.int64)
+def blocks_at(sample: Sample, times: Floats) -> Iterator[tuple[Floats, Floats]]:
+    """Any moments, (n,) seconds, in blocks like those of `blocks`."""
+    for first in range(0, len(times), BLOCK):
+        seconds = times[first : first + BLOCK]
+        yield seconds, sample(seconds)

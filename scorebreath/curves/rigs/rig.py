@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -13,6 +13,7 @@ from scorebreath.curves.curve_set import CurveSet
 from scorebreath.curves.rigs.drivers import DRIVERS
 from scorebreath.curves.rigs.prototypes import Prototypes
 from scorebreath.curves.tracks import Array
+from scorebreath.errors import InputError
 from scorebreath.score.acting import EMOTIONS
 
 Negative = Literal["clip", "offset", "allow"]
@@ -69,11 +70,7 @@ class Rig:
         """Names, in their order."""
         return tuple(column.name for column in self.table)
 
-    def column(self, name: str) -> int:
-        """Where a column stands."""
-        return self.columns.index(name)
-
-    def sample(self, curve_set: CurveSet, times: ArrayLike) -> Array:
+    def sample(self, curve_set: CurveSet, times: ArrayLike, names: Sequence[str] | None = None) -> Array:
         """The columns at any times; each row depends on its own time alone.
 
         Channels times factors are summed, `negative` is applied, emotions are added, the sum is held within the
@@ -83,42 +80,55 @@ class Rig:
         Args:
             curve_set: Whose curves.
             times: Seconds, (n,).
+            names: Columns wanted, in this order; all when left out.
 
         Returns:
             (n, columns) float64, in the units of `table`.
 
         Raises:
-            InputError: A time is not a finite number.
+            InputError: A name is no column, or a time is not a finite number.
         """
-        sources = self._sources(curve_set, times)
-        out = np.array([_sum(column, sources) for column in self.table])
-        if curve_set.closure_gate:
-            self._shut(out, sources[GATE])
+        wanted = self.table if names is None else tuple(self.column(name) for name in names)
+        sources = self._sources(wanted, curve_set, times)
+        out = np.empty((len(wanted), len(sources[GATE])))
+        for number, column in enumerate(wanted):
+            out[number] = _sum(column, sources)
+            if not curve_set.closure_gate:
+                continue
+            if column.gate:
+                out[number] *= 1.0 - column.gate * sources[GATE]
+            if column.shuts:
+                out[number] += (_sum(self.column(column.shuts), sources) - out[number]) * sources[GATE]
         return out.T
 
-    def _shut(self, out: Array, gate: Array) -> None:
-        for number, column in enumerate(self.table):
-            if column.gate:
-                out[number] *= 1.0 - column.gate * gate
-        for number, column in enumerate(self.table):
-            if column.shuts:
-                out[number] += (out[self.column(column.shuts)] - out[number]) * gate
+    def column(self, name: str) -> Column:
+        """The table's row of that name.
 
-    def _sources(self, curve_set: CurveSet, times: ArrayLike) -> dict[str, Array]:
-        """Every channel, driver and prototype that the columns need, (n,) each."""
-        felt = {name for column in self.table for name in column.emotions}
-        wanted = {name for column in self.table for name in (*column.parts, column.yields) if name}
+        Raises:
+            InputError: There is none.
+        """
+        for column in self.table:
+            if column.name == name:
+                return column
+        raise InputError(f"rig {self.name} has no column {name!r}; expected one of {', '.join(self.columns)}")
+
+    def _sources(self, table: Sequence[Column], curve_set: CurveSet, times: ArrayLike) -> dict[str, Array]:
+        """Every channel, driver and prototype that some columns need, (n,) each."""
+        table = (*table, *(self.column(column.shuts) for column in table if column.shuts))
+        felt = {name for column in table for name in column.emotions}
+        wanted = {name for column in table for name in (*column.parts, column.yields) if name}
         wanted |= {GATE} | {f"emotion_{name}" for name in EMOTIONS if name in felt}
-        if self.prototypes is not None:
-            wanted = (wanted - set(self.prototypes.names)) | set(self.prototypes.channels)
+        shares = self.prototypes if self.prototypes is not None and wanted & set(self.prototypes.names) else None
+        if shares is not None:
+            wanted = (wanted - set(shares.names)) | set(shares.channels)
         drivers = [name for name in sorted(wanted) if name in DRIVERS]
         channels = sorted((wanted - set(drivers)) | {need for name in drivers for need in DRIVERS[name].channels})
         found = dict(zip(channels, np.ascontiguousarray(curve_set.sample(times, channels).T), strict=True))
         for name in drivers:
             found[name] = DRIVERS[name].of(*(found[need] for need in DRIVERS[name].channels))
-        if self.prototypes is not None:
-            shares = self.prototypes.shares(np.array([found[name] for name in self.prototypes.channels]))
-            found |= dict(zip(self.prototypes.names, shares, strict=True))
+        if shares is not None:
+            points = np.array([found[name] for name in shares.channels])
+            found |= dict(zip(shares.names, shares.shares(points), strict=True))
         return found
 
 
