@@ -99,7 +99,7 @@ class Ensemble:
                 voice=self._opened(name) if name else self.voice,
                 state=BodyState(
                     body=who, seed=self.seed, parameters=p, person=person, time=0.0, volume=person.resting_volume,
-                    recordings=self.recordings,
+                    recordings=self.recordings, language=self.language,
                 ),
                 face=FaceState(body=who, seed=self.seed, parameters=p, language=self.language),
             )  # fmt: skip

@@ -15,6 +15,7 @@ from scorebreath.compose.chances import Chances
 from scorebreath.compose.feeling import Feeling
 from scorebreath.compose.idle import RELAXATION, relax
 from scorebreath.compose.lungs import EMPTY
+from scorebreath.compose.phrasing import phrase
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.state import BodyState, Spoken
 from scorebreath.equations.bernardet import volume_lung
@@ -143,6 +144,7 @@ def _speak(placer: Placer, spoken: Spoken, low: LowLevel) -> None:
                 marked.heed(placer, mark, f"part{number}.{index}")
         speech = parts.utterance(placer.state, spoken, said, low=low, onset=placer.time, number=number)
         placer.events.append(speech)
+        phrase(placer, speech, said.part)
         last = number == len(spoken.parts) - 1
         to = 0.0 if last else placer.volume * (1.0 - said.speech.duration / left)
         left -= said.speech.duration

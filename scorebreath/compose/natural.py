@@ -17,6 +17,7 @@ from scorebreath.compose.chances import Chances
 from scorebreath.compose.feeling import Feeling
 from scorebreath.compose.idle import NOTHING, RELAXATION, wait
 from scorebreath.compose.lungs import TOP, initiation, levels
+from scorebreath.compose.phrasing import phrase
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.sounds import INITIAL_DB, Air
 from scorebreath.compose.state import BodyState, Spoken, SpokenPart
@@ -186,6 +187,7 @@ def _speak(placer: Placer, spoken: Spoken) -> None:
             _between(placer, spoken, said, number)
         speech = parts.utterance(placer.state, spoken, said, low=placer.low, onset=placer.time, number=number)
         placer.events.append(speech)
+        phrase(placer, speech, said.part)
         to = max(placer.levels.floor, placer.volume - said.part.syllables * per_syllable)
         placer.spend(speech.onset, speech.duration, to, f"physiology 2.2: {per_syllable:.4f} VC a syllable")
         marked.inside(placer, speech, said)

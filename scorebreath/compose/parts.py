@@ -8,6 +8,7 @@ from functools import lru_cache
 from scorebreath import chance
 from scorebreath.compose.sounds import default_mix, sources
 from scorebreath.compose.state import BodyState, Spoken, SpokenPart
+from scorebreath.compose.wording import accented
 from scorebreath.equations.breath import trapezoid
 from scorebreath.parameters.derive import LowLevel, derive
 from scorebreath.parameters.table import Parameters
@@ -91,7 +92,7 @@ def utterance(
 ) -> Utterance:
     """The speech of a group, or of a part of it (B12)."""
     speech, prosody = said.speech, said.part.prosody
-    words = speech.words
+    words = accented(speech, said.part, state.language)
     if prosody is not None and prosody.emphasis:
         words = tuple(replace(word, accent=True) for word in words)
     louder = prosody.volume_db if prosody is not None else 0.0

@@ -36,6 +36,10 @@ class BodyState:
     """the user's own breaths"""
     sighed: float = 0.0
     """s; when it last sighed, or began"""
+    language: str = ""
+    """BCP 47, of what it says; empty: nobody knows"""
+    opening: tuple[str, ...] = ()
+    """the first words of the sentence it is in the midst of"""
     waits: int = 0
     """how often it has breathed at rest: a key of chance"""
 

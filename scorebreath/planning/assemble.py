@@ -37,6 +37,7 @@ class _Word(NamedTuple):
     end: int
     sentence_type: SentenceType
     closes: bool
+    stanza: int | None
 
 
 class Assembler:
@@ -125,7 +126,7 @@ def _words(units: Sequence[Unit]) -> Iterator[_Word]:
     for unit in units:
         last = len(unit.words) - 1
         for place, (word, count, end) in enumerate(zip(unit.words, unit.counts, unit.ends, strict=True)):
-            yield _Word(word, count, end, unit.sentence_type, unit.closes and place == last)
+            yield _Word(word, count, end, unit.sentence_type, unit.closes and place == last, unit.stanza)
 
 
 def _part(words: Sequence[_Word], before: tuple[Mark, ...], site: Site, prosody: ProsodyMark | None) -> Part:
@@ -140,6 +141,7 @@ def _part(words: Sequence[_Word], before: tuple[Mark, ...], site: Site, prosody:
         site=site,
         before=before,
         prosody=prosody,
+        stanza=words[0].stanza,
     )
 
 

@@ -35,6 +35,8 @@ class Part:
     """what the markup asks for between the part before and this one; empty in the first part (see the group's)"""
     prosody: ProsodyMark | None = None
     """in force while it is spoken"""
+    stanza: int | None = None
+    """of verse, from 0: its first word's; None in prose"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -37,6 +37,8 @@ class Unit:
     sentence_type: SentenceType
     closes: bool
     """whether a sentence ends with it"""
+    stanza: int | None
+    """of verse, from 0; None in prose"""
 
     @property
     def after(self) -> tuple[Mark, ...]:
@@ -121,6 +123,7 @@ class UnitReader:
             ends_line=edge == "line" or (self._poem and edge != "paragraph" and "\n" in written[letters.end - start :]),
             sentence_type=last.sentence.type,
             closes=edge in ("sentence", "paragraph") and last.sentence.complete,
+            stanza=first.sentence.stanza if self._poem else None,
         )
 
 

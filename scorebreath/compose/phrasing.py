@@ -1,0 +1,230 @@
+"""Intonational phrases: what an utterance is divided into, and the silences in it (A8, A12).
+
+A phrase ends at punctuation, at a line's end in verse, where the voice falls silent for 150 ms or more, where somebody
+told so, and where the utterance ends. How it ends follows from what stands there and from what kind of sentence it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from scorebreath.compose.placer import Placer
+from scorebreath.compose.wording import owners
+from scorebreath.planning.model import Part
+from scorebreath.score.event import PauseKind, SentenceType
+from scorebreath.score.events import Pause, Phrase, Utterance
+from scorebreath.script.asking import OPENING, asks_for_word
+from scorebreath.script.model import Edge, ScriptWord
+from scorebreath.units import snap
+
+PAUSE = 0.15
+"""s of silence that divide a phrase."""
+ROUNDING = 0.001
+"""s; eSpeak NG's pauses of 150 ms are some samples shorter."""
+CONTINUING, LOW, HIGH = "h-l%", "l-l%", "h-h%"
+"""ToBI: it goes on (S3, table 2); a statement ends; a question does."""
+CLOSING: tuple[Edge, ...] = ("paragraph", "sentence")
+"""Edges that end a sentence."""
+
+
+class Ending(NamedTuple):
+    """How a phrase ends."""
+
+    break_index: int
+    tone: str
+    rule: str
+    silence: PauseKind = "phrase"
+    """what a silence is that stands there"""
+
+
+EDGES: dict[Edge, Ending] = {
+    "paragraph": Ending(6, LOW, "paragraph", "paragraph"),
+    "sentence": Ending(5, LOW, "sentence", "sentence"),
+    "semicolon": Ending(4, CONTINUING, "punctuation"),
+    "comma": Ending(4, CONTINUING, "comma"),
+    "line": Ending(4, CONTINUING, "line of verse"),
+}
+"""Edges that end a phrase, strongest first; where a sentence ends, its tone stands in place of the row's.
+
+S3 gives a line's end 4 and `h-l%`, with a comma and without; MARY has 5 and 6 for the ends of sentences and paragraphs.
+What is in no row ends no phrase: at a word's end, a joint and the marker `_` nothing is heard unless the voice falls
+silent.
+"""
+TOLD = Ending(4, CONTINUING, "told")
+"""Where nothing is written, but somebody told of a boundary."""
+SILENT = Ending(3, "h-", "silence of 150 ms")
+"""Where nothing is written, but the voice falls silent: an intermediate phrase."""
+CUT = Ending(4, CONTINUING, "end of the utterance")
+"""Where nothing is written, but the utterance ends: the voice was asked to sound as if it went on."""
+INNER: tuple[tuple[str, str], ...] = (("...", CONTINUING), ("?", HIGH), ("!", LOW), (".", LOW))
+"""Tones of marks inside a sentence, behind what is quoted, say; first match wins."""
+TYPES: dict[str, SentenceType] = {"?": "question", "!": "exclamation"}
+"""Sentences by the mark a voice is given for their end; all others are statements."""
+
+
+class _Sentence(NamedTuple):
+    """The sentence a word belongs to, as far as it is known."""
+
+    type: SentenceType
+    openings: tuple[tuple[str, ...], ...]
+    """first words of its phrases"""
+    stanza: int | None
+
+
+class _Phrase(NamedTuple):
+    """A phrase on its way."""
+
+    onset: float
+    """s, within the utterance"""
+    end: float
+    words: Sequence[ScriptWord]
+    ending: Ending
+    final: bool
+    sentence: _Sentence
+    silence: float
+    """s, behind it"""
+
+
+def phrase(placer: Placer, speech: Utterance, part: Part) -> None:
+    """Place the phrases of an utterance and the silences between them; moves no time.
+
+    Args:
+        placer: Knows the language and how the sentence began; is told how the next one does.
+        speech: As placed.
+        part: What it says.
+    """
+    state = placer.state
+    sentences = _sentences(part, state.opening)
+    before = sum(isinstance(event, Phrase) for event in placer.events)
+    for number, one in enumerate(_divided(speech, part, sentences, state.language), before + 1):
+        name = f"{placer.id}.phrase{number}"
+        onset, end = snap(speech.onset + one.onset), snap(speech.onset + one.end)
+        verse = one.sentence.stanza is not None
+        placer.events.append(
+            Phrase(
+                id=name, body=speech.body, group=speech.group, onset=onset, duration=snap(end - onset),
+                rule=one.ending.rule, source=(one.words[0].source.start, one.words[-1].source.end),
+                break_index=one.ending.break_index, tone=one.ending.tone,
+                position="final" if one.final else "internal", sentence_type=one.sentence.type,
+                line=one.words[0].line if verse else None, stanza=one.sentence.stanza,
+            )
+        )  # fmt: skip
+        if one.silence:
+            placer.events.append(
+                Pause(
+                    id=f"{name}.pause", body=speech.body, group=speech.group, onset=end, duration=snap(one.silence),
+                    rule="silence in speech", kind=one.ending.silence,
+                )
+            )  # fmt: skip
+    going_on = sentences and not part.ends_sentence
+    placer.state = replace(state, opening=sentences[-1].openings[0] if going_on else ())
+
+
+def _divided(speech: Utterance, part: Part, sentences: Sequence[_Sentence], language: str) -> Iterator[_Phrase]:
+    """The phrases of an utterance, in order; none where it has no words."""
+    if not (speech.words and part.words):
+        return
+    own = owners(speech.words, part.words)
+    silences = _silences(speech)
+    first = 0
+    for index, (word, here, silence) in enumerate(zip(speech.words, own, silences, strict=True)):
+        over = index + 1 == len(own)
+        behind = len(part.words) if over else own[index + 1].start
+        place = _strongest(part.words, here[-1], behind)
+        ending = _ending(place, heard=silence > 0, over=over)
+        if ending is None:
+            continue
+        said = part.words[own[first].start : max(behind, here.stop)]
+        final = part.ends_sentence if over else place is not None and place.edge in CLOSING
+        sentence = sentences[here[-1]]
+        if final or ending.tone == HIGH:
+            asked = sentence if final else _Sentence("question", (_opening((), said),), sentence.stanza)
+            ending = ending._replace(tone=_tone(asked, language))
+        if place is not None and place.told is not None:
+            told = place.told
+            ending = ending._replace(break_index=told.break_index or ending.break_index, tone=told.tone or ending.tone)
+        yield _Phrase(
+            onset=speech.words[first].onset,
+            end=word.onset + word.duration,
+            words=said,
+            ending=ending,
+            final=final,
+            sentence=sentence,
+            silence=silence,
+        )
+        first = index + 1
+
+
+def _strongest(words: Sequence[ScriptWord], first: int, stop: int) -> ScriptWord | None:
+    """The word with the strongest boundary behind it: of one as spoken and those behind it that nobody speaks.
+
+    None where two spoken words are one written word.
+    """
+    strength = list(EDGES)
+    return min(
+        words[first:stop],
+        key=lambda word: (
+            strength.index(word.edge) if word.edge in EDGES else len(strength),
+            word.told is None or not word.told.boundary,
+        ),
+        default=None,
+    )
+
+
+def _ending(word: ScriptWord | None, *, heard: bool, over: bool) -> Ending | None:
+    """How a phrase ends behind a word, or None: it does not."""
+    if word is not None and word.edge in EDGES:
+        ending = EDGES[word.edge]
+        if word.edge == "semicolon":
+            said = word.spoken.text
+            ending = ending._replace(tone=next((tone for mark, tone in INNER if said.endswith(mark)), ending.tone))
+        return ending
+    if word is not None and word.told is not None and word.told.boundary:
+        return TOLD
+    if over:
+        return CUT
+    return SILENT if heard else None
+
+
+def _tone(sentence: _Sentence, language: str) -> str:
+    """Questions for yes or no rise; those for a word fall, as statements do."""
+    return HIGH if sentence.type == "question" and not asks_for_word(sentence.openings, language) else LOW
+
+
+def _sentences(part: Part, opening: tuple[str, ...]) -> list[_Sentence]:
+    """The sentence of each word; of the first one, `opening` is what was said of it before."""
+    out: list[_Sentence] = []
+    stanza = part.stanza
+    for stop, word in enumerate(part.words, 1):
+        last = stop == len(part.words)
+        if not last and word.edge not in CLOSING:
+            continue
+        own = part.words[len(out) : stop]
+        kind = part.sentence_type if last else TYPES.get(word.spoken.text[-1:], "statement")
+        later = (_opening((), own[n:]) for n, one in enumerate(own[:-1], 1) if one.edge in EDGES)
+        out += [_Sentence(kind, (_opening(opening, own), *later), stanza)] * len(own)
+        opening = ()
+        if stanza is not None and word.edge == "paragraph":
+            stanza += 1
+    return out
+
+
+def _opening(begun: tuple[str, ...], words: Sequence[ScriptWord]) -> tuple[str, ...]:
+    """The first words of what has begun already and goes on with `words`."""
+    return (*begun, *(spoken for one in words[:OPENING] for spoken in one.words))[:OPENING]
+
+
+def _silences(speech: Utterance) -> list[float]:
+    """Seconds of silence behind each word, 0 where it is shorter than a pause or nothing follows."""
+    out = [0.0] * len(speech.words)
+    word, silence = None, 0.0
+    for phone in speech.phones:
+        if not phone.ipa:
+            silence += phone.duration
+            continue
+        if word is not None and phone.word not in (None, word) and silence >= PAUSE - ROUNDING:
+            out[word] = silence
+        word, silence = (word if phone.word is None else phone.word), 0.0
+    return out

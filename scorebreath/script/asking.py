@@ -1,0 +1,50 @@
+"""What a question asks for: a word ("Who came?"), or yes or no ("Did she come?"). The first ends low, as statements."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from scorebreath.script.accents import plain
+from scorebreath.script.lexicon import Lexicon, lexicon
+
+OPENING = 4
+"""Words at the beginning of a phrase that tell."""
+
+
+def asks_for_word(openings: Sequence[Sequence[str]], language: str) -> bool:
+    """Whether a question asks for a word: told by what its first phrase that asks begins with.
+
+    A question word says so, perhaps behind a conjunction or a preposition; an auxiliary says that it asks for yes or
+    no. Behind the first phrase, and where the question word also opens clauses ("When she came, did you see her?"), an
+    auxiliary must follow it.
+
+    Args:
+        openings: The first words of each of the sentence's phrases, `OPENING` of them or more.
+        language: BCP 47; of one without a table, no question is known to ask for a word.
+
+    >>> asks_for_word([["And", "what", "is", "it"]], "en"), asks_for_word([["Is", "it", "you"]], "en")
+    (True, False)
+    >>> asks_for_word([["When", "I", "came"], ["did", "you", "go"]], "en")
+    False
+    """
+    known = lexicon(language)
+    for number, opening in enumerate(openings):
+        words = [plain(word) for word in opening[:OPENING]]
+        while len(words) > 1 and words[0] in known.leading and words[0] not in known.questions:
+            del words[0]
+        if not words:
+            continue
+        if _auxiliary(words[0], known):
+            return False
+        first, _, hanging = words[0].partition("'")
+        if first not in known.questions:
+            continue
+        free = number == 0 and (first not in known.clauses or len(words) == 1)
+        if free or hanging or (len(words) > 1 and _auxiliary(words[1], known)):
+            return True
+    return False
+
+
+def _auxiliary(word: str, known: Lexicon) -> bool:
+    """Whether it is one, perhaps with "n't"."""
+    return word in known.auxiliaries or word.partition("'")[0].removesuffix("n") in known.auxiliaries
