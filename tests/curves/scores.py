@@ -35,6 +35,7 @@ REST = 0.38
 REFERENCE_DB = -20.0
 MEDIA = "0" * 64
 MOTION = Motion(thorax=1.7, abdomen=1.4, shoulder=0.4, neck_pitch=3.0)
+SAID = ("f", "u", "ŋ", "a", "p", "", "t", "iː", "l", "aʊ")
 SENTENCE = "The quick brown fox jumps over the lazy dog, and then it rests."
 
 
@@ -146,9 +147,18 @@ def utterance(breath: Breath, onset: float, place: int, *, id: str = "u", group:
     wave = np.sin(np.arange(steps) * 0.19) * 6 - 24 - np.cos(np.linspace(0, 2 * np.pi, steps)) * 4
     return Utterance(
         id=id, body="body", onset=snap(onset), duration=breath.speech, group=group, media=MEDIA, gain_db=0.0,
-        closing="final", words=tuple(words), phones=(Phone(ipa="a", onset=0.0, duration=breath.speech),),
+        closing="final", words=tuple(words), phones=phones(breath.speech),
         pitch=Pitch(step=0.01, hertz=()), level=Level(step=0.01, db=tuple(snap(x) for x in wave.tolist())),
     )  # fmt: skip
+
+
+def phones(length: float, said: Sequence[str] = SAID) -> tuple[Phone, ...]:
+    """Phones of equal length, every channel of the lips among them."""
+    edges = [snap(length * i / len(said)) for i in range(len(said) + 1)]
+    return tuple(
+        Phone(ipa=ipa, onset=start, duration=snap(end - start))
+        for ipa, start, end in zip(said, edges, edges[1:], strict=False)
+    )
 
 
 def without(score: Score, id: str) -> Score:  # noqa: A002

@@ -119,7 +119,11 @@ def test_overlapping_leads_take_the_higher() -> None:
 
 def test_speech_level_is_relative_to_the_reference() -> None:
     spoken = dataclasses.replace(
-        utterance(PLAIN, 1.0, 0), duration=0.3, gain_db=-3.0, level=Level(step=0.1, db=(-30.0, -20.0, -200.0))
+        utterance(PLAIN, 1.0, 0),
+        duration=0.3,
+        phones=(),
+        gain_db=-3.0,
+        level=Level(step=0.1, db=(-30.0, -20.0, -200.0)),
     )
     score = score_of([spoken])
     got = value(score, "speech_level", 0.99, 1.0, 1.05, 1.1, 1.15, 1.29, 1.31)

@@ -1,4 +1,4 @@
-"""The lips' channels of one body."""
+"""The lips' channels of one body: dominance functions of its phones (A13-A16), and what must touch."""
 
 from __future__ import annotations
 
@@ -6,16 +6,41 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scorebreath.curves.tracks import Array
+from scorebreath.curves.lips.gates import Gate, gate
+from scorebreath.curves.lips.strings import GONE, WHOLE, PhoneString, phone_string
+from scorebreath.curves.lips.targets import CLOSE, JAW, LIP_CHANNELS, TUCK, targets
+from scorebreath.curves.tracks import Array, Index, track
+from scorebreath.equations.dominance import dominance
 from scorebreath.score.document import Score
+from scorebreath.score.events import Utterance
+from scorebreath.units import GRID
 
-LIP_CHANNELS = ("jaw_open", "lip_close", "lip_round", "lip_spread", "lip_tuck", "tongue_tip", "tongue_back")
-"""In the columns of what `Lips.sample` gives."""
+__all__ = ["LIP_CHANNELS", "Lips", "lips"]
+
+REST, REST_GROWTH, REST_MOST = 0.005, 25.0, 1.0
+"""Dominance of the rest, whose target is 0: small within speech, so that the sum of dominances never vanishes
+(physiology 7.1); in silence it grows, 1/s, the further away speech is, up to the most."""
+BLOCK = 2048
+"""Moments computed at a time, for the processor's cache."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lips:
     """A body's speech as arrays, ready to be sampled."""
+
+    string: PhoneString
+    alpha: Array
+    """(segments, 7) dominance at the centre"""
+    asked: Array
+    """(segments, 7) dominance times target"""
+    before: Array
+    """(segments, 2) 1/s; of the jaw, of the others"""
+    after: Array
+    """(segments, 2) 1/s"""
+    closures: Gate
+    """p, b, m"""
+    tucks: Gate
+    """f, v"""
 
     def sample(self, times: Array, mouth_open: Array, *, closure_gate: bool = True) -> Array:
         """Values of LIP_CHANNELS.
@@ -28,9 +53,87 @@ class Lips:
         Returns:
             (n, 7) in 0..1.
         """
-        return np.zeros((len(times), len(LIP_CHANNELS)))
+        values = np.zeros((len(times), len(LIP_CHANNELS)))
+        if not len(self.string):
+            return values
+        for first in range(0, len(times), BLOCK):
+            self._blend(times[first : first + BLOCK], values[first : first + BLOCK])
+        if closure_gate:
+            np.maximum(values[:, CLOSE], self.closures.sample(times), out=values[:, CLOSE])
+            np.maximum(values[:, TUCK], self.tucks.sample(times), out=values[:, TUCK])
+        return values
+
+    def _blend(self, times: Array, out: Array) -> None:
+        """The plain sum: means of the targets in range, weighted by their dominances."""
+        string = self.string
+        last = len(string) - 1
+        at = np.searchsorted(string.start, times, side="right") - 1
+        here, following = np.maximum(at, 0), np.minimum(at + 1, last)
+        begun, more = at >= 0, at < last
+        since_end = np.where(begun, times - string.end[here], np.inf)
+        to_next = np.where(more, string.start[following] - times, np.inf)
+        silent = np.maximum(np.minimum(since_end, to_next), 0.0)
+        weights = np.empty((len(times), len(LIP_CHANNELS)))
+        weights[:] = np.minimum(REST * np.exp(REST_GROWTH * np.minimum(silent, 1.0)), REST_MOST)[:, np.newaxis]
+        sums = np.zeros_like(weights)
+        # on the clock: how far the segment begun last is over, and how far off the next one is
+        length = string.end[here] - string.start[here]
+        counts = string.clock_end[here] - string.clock_start[here]
+        within = since_end < 0.0
+        behind = np.where(within, since_end / length * counts, since_end * GRID)
+        ahead = np.where(within, string.clock_start[following] - string.clock_end[here] - behind, to_next * GRID)
+        ahead = np.where(more, ahead, np.inf)
+        for step in range(len(string)):
+            place = at - step
+            away = behind + (string.clock_end[here] - string.clock_end[np.maximum(place, 0)])
+            if not self._add(times, place, np.where(place >= 0, away, np.inf), weights, sums):
+                break
+        for step in range(len(string)):
+            place = at + 1 + step
+            away = ahead + (string.clock_start[np.minimum(place, last)] - string.clock_start[following])
+            if not self._add(times, place, np.where(place <= last, away, np.inf), weights, sums):
+                break
+        np.divide(sums, weights, out=out)
+
+    def _add(self, times: Array, place: Index, away: Array, weights: Array, sums: Array) -> bool:
+        """Add one segment for each moment, where it is in range; whether it was anywhere."""
+        near = np.flatnonzero(away < GONE)
+        if not near.size:
+            return False
+        segment = place[near]
+        fade = _fade(away[near])
+        tau = self.string.centre[segment] - times[near]
+        falls = dominance(tau[:, np.newaxis], fade[:, np.newaxis], self.before[segment], self.after[segment])
+        spread = falls[:, _GROUP]
+        weights[near] += self.alpha[segment] * spread
+        sums[near] += self.asked[segment] * spread
+        return True
+
+
+_GROUP = np.array([0 if channel == JAW else 1 for channel in range(len(LIP_CHANNELS))])
+"""Which theta is each channel's."""
+
+
+def _fade(away: Array) -> Array:
+    """1 up to WHOLE on the clock, 0 at GONE."""
+    x = np.clip((GONE - away) / (GONE - WHOLE), 0.0, 1.0)
+    return np.asarray(x * x * (3.0 - 2.0 * x))
 
 
 def lips(score: Score, body: str) -> Lips:
-    """Gather the utterances of one body."""
-    return Lips()
+    """Gather the utterances of one body.
+
+    Raises:
+        ScoreError: Two utterances overlap, or phones do, or a phone leaves its utterance.
+    """
+    string = phone_string(track([said for said in score.of(Utterance, body) if said.phones], "utterances"))
+    table = targets()
+    return Lips(
+        string=string,
+        alpha=table.alpha[string.row],
+        asked=(table.alpha * table.target)[string.row],
+        before=table.before[string.row],
+        after=table.after[string.row],
+        closures=gate(string, "lip_close"),
+        tucks=gate(string, "lip_tuck"),
+    )
