@@ -72,7 +72,9 @@ def certain(text: str, kinds: str, start: int, end: int, language: str) -> bool:
     word = _SMALL.search(text, max(0, start - 24), start)
     if following is None or word is None or not text[following.end() - 1].isupper():
         return False
-    return word.group().islower() and word.group() not in _abbreviations(language)
+    if not word.group().islower() or word.group() in _abbreviations(language):
+        return False
+    return not emoticons.idle(text, start)
 
 
 def ends(text: str, kinds: str, language: str, *, final: bool) -> list[int]:

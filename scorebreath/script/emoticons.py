@@ -1,24 +1,18 @@
-"""Emoticons (A11): found as written, compact `:-)` or with the inner spaces the paper prints `: - )`; the heart too.
+r"""Emoticons (A11) and emoji: found as written, compact `:-)` or with the inner spaces the paper prints, `: - )`.
 
-They are no punctuation: they end nothing and are not spoken. What they mean is read here and used elsewhere.
+They are no punctuation: they end nothing and are not spoken. Nor does a mark of punctuation end anything that stands
+behind one of them where another mark stands before it, as in S3's `Grab: :-( .`: the sentence goes on as it would
+without both. What they mean is in `emotions`; in links and in what looks like code they mean nothing.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import NamedTuple
 
+from scorebreath.script.emotions import meaning
 from scorebreath.spans import Span
-
-EMOTIONS = {
-    ":-)": "happy",
-    ";-)": "kidding",
-    ":-(": "sad",
-    ">:-<": "angry",
-    ":-o": "surprised",
-    ":-|": "disgusted",
-}
-"""The first list of S3 section 4. The last glyph of its sixth is lost; `:-|` is what was read into it (A11)."""
 
 _MEASURED = (
     r"(?:milli|cent|zent|kilo|deci)?(?:meter|metre)s?n?|(?:nano|micro|mikro|milli)?sec(?:ond)?s?|(?:Milli)?Sekunden?|"
@@ -28,28 +22,51 @@ _MEASURED = (
 )
 """What is counted often enough to show that `<3` before it is "less than three"."""
 
+_EMOJI = "[\u2639-\u263b\u2665\u2763\u2764\U0001f300-\U0001faff]"
 _PATTERN = re.compile(
     rf"""
-    >?[:;]-[)(|<oO?/\\DPp]            (?![^\W_])  # :-)   >:-<   :-o
-    | (?<!\S) >?\ ?[:;]\ ?-\ ?[)(|<oO] (?![^\W_])  # : - )   :- )   > : - <
-    | (?<!\S) [:;=][)(|DPp]           (?![^\W_])  # :)   ;)   :D
-    | (?<!\S) \(-?[:;=]               (?![^\s.,!?])  # (:   (-:
-    | (?<!\S) [xX]D{{1,4}}            (?![^\W_])  # XD
-    | (?<!\S) (?: ([oOTuUxX^.;*-])_{{1,3}}(?i:\1) | >_{{1,3}}< ) (?![^\s.,!?])  # o_O   -_-
+    >?[:;]-(?: [|<oO?/\\DPp*] | ([)(])\1{{0,4}} )         (?![^\W_])  # :-)   >:-<   :-o   :-))
+    | (?<!\S) >?\ ?[:;]\ ?-\ ?[)(|<oO]                     (?![^\W_])  # : - )   :- )   > : - <
+    | (?<!\S) >?[:;=]'?-?(?: [|DPpoO] | ([)(])\2{{0,4}} | o\) ) (?![^\W_])  # :)   ;)   :D   >:(   :'-(
+    | (?<!\S) \(-?[:;=]                (?![^\s.,!?])  # (:   (-:
+    | (?<!\S) [xX]D{{1,4}}             (?![^\W_])  # XD
+    | (?<=[.!?…]\ ) D-?:               (?!\S)  # No! D:   but not "vitamin D: yes", nor at the beginning of a line
+    | (?<!\S) (?: ([oOTuUxX^.;*-])_{{1,3}}(?i:\3) | >_{{1,3}}< ) (?![^\s.,!?])  # o_O   -_-
     | (?<!\S) (?: (?<!\d[ ]) | (?<=<3[ ]) | (?<=<33[ ]) )   # <3   </3   <3 <3, but 5 <3, x <3, in <3 days, <3 %
       (?<!\b[a-hj-tv-z][ ]) (?: (?<![\w,][ ]) | (?<=\b[Ii][ ]) | (?! <3[ ](?i:{_MEASURED})\b) )
       </?3{{1,4}} (?! \w | [.,:]\d | [-–]\d | [ ]?[%‰°€$£+*/=] )
+    | {_EMOJI}[\ufe0e\ufe0f\U0001f3fb-\U0001f3ff]*+ (?: \u200d[\u2190-\u2bff\U0001f300-\U0001faff]
+      [\ufe0e\ufe0f\U0001f3fb-\U0001f3ff]*+ )*+ \u200d?+
     """,
     re.VERBOSE,
 )
-
+_SIGN = re.compile(rf"[-:;=<_]|[xX]D|{_EMOJI}")
+_MARKED = re.compile(r"[.!?:;,…–—][\"'”’»«“)\]]{0,3}[ \n]{0,2}$")
+_IDLE = re.compile(r"(?P<space>[ ]{0,2})[.,;:…]{1,3}(?=[\s\"'”’»«“)\]]|\Z)")
+_APART = re.compile(r"[ \t]{1,3}|(?!\s)")
+_BEFORE = re.compile(r"(?:(?:\A|(?<=\s))[\"'“„‘(*_]*[\w'’-]*[.,!?;:…\"'”’)*_]*)$")
+"""What may stand directly before an emoticon that means something: nothing, or a word with its marks."""
+_BEHIND = re.compile(r"[\s.,!?;:…)\]\"'”’»«*_~<>^-]|\Z")
+_TOKEN = re.compile(r"\S*$")
+_NEAR = 64
+"""Code points that are looked at before an emoticon."""
 
 LONGEST = 8
-"""Code points of the longest emoticon, with a margin."""
+"""Code points of the longest emoticon, with a margin. Sequences of emoji may be longer; no letters are in them."""
+
+
+class Sign(NamedTuple):
+    """An emotion as written: an emoticon or an emoji, or several of one emotion in a row."""
+
+    span: Span
+    name: str
+    """one of `score.acting.EMOTIONS`"""
+    intensity: float
+    """0..1; the highest of them"""
 
 
 def possible(text: str) -> bool:
-    """Whether an emoticon may stand in `text`: quick, and never wrongly False.
+    """Whether an emoticon or an emoji may stand in `text`: quick, and never wrongly False.
 
     >>> possible("Hi <3"), possible("Hi there.")
     (True, False)
@@ -57,24 +74,75 @@ def possible(text: str) -> bool:
     return _SIGN.search(text) is not None
 
 
-_SIGN = re.compile("[-:;=<_]|[xX]D")
-
-
 def spans(text: str, start: int = 0, end: int | None = None) -> Iterator[Span]:
-    """Where emoticons stand in `text[start:end]`.
+    """Where emoticons and emoji stand in `text[start:end]`, each with the mark behind it that ends nothing.
 
     >>> [span.cut("Hi :-) it's a Grab: : - ( . (a:)") for span in spans("Hi :-) it's a Grab: : - ( . (a:)")]
-    [':-)', ': - (']
+    [':-)', ': - ( .']
     """
-    for match in _PATTERN.finditer(text, start, len(text) if end is None else end):
-        yield Span(*match.span())
+    last = len(text) if end is None else end
+    behind, marked = -1, False
+    for match in _PATTERN.finditer(text, start, last):
+        first, stop = match.span()
+        marked = _marked(text, first) or (marked and not text[behind:first].strip(" \n"))
+        behind = stop
+        if marked and (idle := _IDLE.match(text, stop, last)) and not _PATTERN.match(text, idle.end("space"), last):
+            behind = idle.end()
+        yield Span(first, behind)
 
 
-def emotion(emoticon: str) -> str | None:
-    """The emotion an emoticon stands for, or None for one that is only kept from being spoken.
+def idle(text: str, place: int) -> bool:
+    """Whether the mark at a place ends nothing, as it stands behind an emoticon and another mark before that.
 
-    >>> emotion(": - O"), emotion(":)"), emotion(":-D"), emotion("<3")
-    ('surprised', 'happy', None, None)
+    >>> idle("to the Grab: :-( . It", 17), idle("to the Grab :-( . It", 16)
+    (True, False)
     """
-    bare = emoticon.replace(" ", "").replace("=", ":").replace("O", "o")
-    return EMOTIONS.get(bare if "-" in bare else bare[:1] + "-" + bare[1:])
+    near = text[max(0, place - _NEAR) : place + 4]
+    place = min(place, _NEAR)
+    return possible(near[:place]) and any(span.start < place < span.end for span in spans(near))
+
+
+def signs(text: str, start: int = 0) -> Iterator[Sign]:
+    """Emotions in `text` from `start` on: several of one kind in a row are one.
+
+    >>> [(sign.span.cut("Ah 😀😂 :-) (see http://a.b/:-))"), sign.name) for sign in signs("Ah 😀😂 :-) (see http://a.b/:-))")]
+    [('😀😂 :-)', 'happy')]
+    """
+    waiting: Sign | None = None
+    for match in _PATTERN.finditer(text, start):
+        found = meaning(match.group())
+        if found is None or not _meant(text, *match.span()):
+            continue
+        first, stop = match.span()
+        if waiting and waiting.name == found.name and _APART.fullmatch(text, waiting.span.end, first):
+            waiting = Sign(Span(waiting.span.start, stop), found.name, max(waiting.intensity, found.intensity))
+            continue
+        if waiting:
+            yield waiting
+        waiting = Sign(Span(first, stop), found.name, found.intensity)
+    if waiting:
+        yield waiting
+
+
+def _marked(text: str, place: int) -> bool:
+    """Whether a mark of punctuation stands before a place, perhaps with a space or a line's end between."""
+    return _MARKED.search(text[max(0, place - LONGEST) : place]) is not None
+
+
+def _meant(text: str, first: int, stop: int) -> bool:
+    """Whether an emoticon is no part of a link or of code."""
+    line = text[max(0, first - _NEAR) : first].rpartition("\n")[2]
+    if line.count("`") % 2:
+        return False
+    token = _TOKEN.search(line)
+    before = token.group() if token else ""
+    if not text[first].isascii():
+        return "://" not in before and not before.startswith("www.")
+    while (sign := _last_sign(before)) is not None:
+        before = before[:sign]
+    return _BEFORE.search(before) is not None and (_BEHIND.match(text, stop) is not None or not text[stop].isascii())
+
+
+def _last_sign(token: str) -> int | None:
+    """Where an emoticon begins that ends a token."""
+    return next((match.start() for match in _PATTERN.finditer(token) if match.end() == len(token)), None)

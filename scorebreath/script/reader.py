@@ -20,13 +20,16 @@ from scorebreath.script import emoticons
 from scorebreath.script.boundaries import END, FORCED, candidate, certain, ends
 from scorebreath.script.decode import SURROGATE, universal_newlines
 from scorebreath.script.dialogue import turns as turns_of
+from scorebreath.script.gathering import Gatherer
 from scorebreath.script.kinds import kinds as kinds_of
+from scorebreath.script.language import primary
 from scorebreath.script.marks import Mark
 from scorebreath.script.markup.marked import Marked, Markup, marked
 from scorebreath.script.model import Script, Sentence
-from scorebreath.script.sentence import Ending, make_sentence
+from scorebreath.script.sentence import Ending, hanging, make_sentence
 from scorebreath.script.told import Told, between
 from scorebreath.script.verse import is_verse
+from scorebreath.spans import Span
 
 AHEAD = 40
 """Code points behind a sentence's end that may decide about it."""
@@ -61,6 +64,8 @@ class _Raw:
 
     text: str
     start: int
+    letter: int
+    """place of its first letter"""
     line: int
     complete: bool
     gap: list[str] = field(default_factory=list)
@@ -98,6 +103,8 @@ class Reader:
         self._marks = marks
         self._knowledge = told
         self._marked = 0  # marks that are given
+        self._gatherer = Gatherer()
+        self._letter = 0  # place of the next sentence's first letter
         self._text = self._kinds = self._carry = ""
         self._base = 0  # place of the buffer in the text
         self._at = 0  # what lies before is done with
@@ -188,7 +195,8 @@ class Reader:
             self._raw.gap.append(gap)
         else:
             self._line += gap.count("\n")
-        self._at = start
+            self._gatherer.begin(gap)
+        self._at, self._letter = start, self._base + limit
         self._ends = [end for end in self._ends if end > limit]
         return first is not None
 
@@ -266,7 +274,7 @@ class Reader:
         """A sentence is over: its gap begins."""
         end = self._at + len(self._kinds[self._at : self._ends.pop(0)].rstrip(" n"))
         text, start = self._text[self._at : end], self._base + self._at
-        self._raw = _Raw(text=text, start=start, line=self._line, complete=self._complete)
+        self._raw = _Raw(text=text, start=start, letter=self._letter, line=self._line, complete=self._complete)
         self._at = end
         self._inside = False
 
@@ -278,10 +286,12 @@ class Reader:
         gap = "".join(raw.gap)
         apart = _BREAK.search(self._apart(kinds_of(gap), raw.start + len(raw.text))) is not None
         edge: Ending | None = "paragraph" if apart or last else "sentence" if raw.complete else None
-        limit = None if last else raw.start + len(raw.text) + len(gap)
-        ahead = (self._marks[index] for index in range(self._marked, len(self._marks)))
-        marks = tuple(takewhile(lambda mark: limit is None or mark.at <= limit, ahead))
+        source = Span(raw.start, raw.start + len(raw.text) + len(gap))
+        waiting = (self._marks[index] for index in range(self._marked, len(self._marks)))
+        marks = tuple(takewhile(lambda mark: last or mark.at <= source.end, waiting))
         self._marked += len(marks)
+        ahead, until = ("", None) if last else (self._text[self._at : self._at + _KEPT], self._letter)
+        emotions = self._gatherer.take(raw.text + gap, source, raw.letter, ahead, until)
         sentence = make_sentence(
             raw.text,
             gap,
@@ -292,6 +302,7 @@ class Reader:
             stanza=self._stanza,
             edge=edge,
             marks=marks,
+            emotions=emotions,
             told=between(self._knowledge, raw.start, raw.start + len(raw.text)),
         )
         self._line = raw.line + raw.text.count("\n") + gap.count("\n")
@@ -331,19 +342,5 @@ def read(
     if not sentences and not clean.marks:
         found = "only punctuation and symbols" if text.strip() else "an empty text"
         raise ScriptError(f"nothing to speak: {found}", expected="at least one word or number", file=file)
-    return Script(text=text, language=language, poem=poem, sentences=sentences, marks=clean.marks)
-
-
-def primary(language: str) -> str:
-    """The primary language of a BCP 47 tag, in lower case.
-
-    >>> primary("en-US"), primary("de")
-    ('en', 'de')
-
-    Raises:
-        ScriptError: It is no such tag.
-    """
-    first = re.split("[-_]", language)[0].lower()
-    if not re.fullmatch("[a-z]{2,8}", first):
-        raise ScriptError(f"language {language!r}", expected="a BCP 47 tag such as en, de or pt-BR")
-    return first
+    marks = tuple(mark for sentence in sentences for mark in hanging(sentence)) or clean.marks
+    return Script(text=text, language=language, poem=poem, sentences=sentences, marks=marks)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from operator import attrgetter
 from typing import Literal
 
-from scorebreath.script.marks import Mark
+from scorebreath.script.marks import EmotionMark, Mark
 from scorebreath.script.model import ScriptWord, Sentence, SentenceType
 from scorebreath.script.normalise.speak import speak
 from scorebreath.script.normalise.tables import tables
@@ -36,6 +37,7 @@ def make_sentence(
     stanza: int,
     edge: Ending | None,
     marks: Sequence[Mark] = (),
+    emotions: Sequence[EmotionMark] = (),
     told: Sequence[tuple[int, Told]] = (),
 ) -> Sentence | None:
     """Read one sentence.
@@ -50,6 +52,7 @@ def make_sentence(
         stanza: Paragraph it stands in, from 0.
         edge: What ends with it; None for a part of a sentence.
         marks: What the markup asks for in it and up to the next sentence; before it only if it is the text's first.
+        emotions: What its emoticons and emoji show, at such places too.
         told: What MaryXML tells of its words, each at a place of one of the word's letters, ascending.
 
     Returns:
@@ -69,8 +72,8 @@ def make_sentence(
     if told:
         words = _with_told(words, told)
     before: tuple[Mark, ...] = ()
-    if marks:
-        before, words = _hung(words, marks)
+    if marks or emotions:
+        before, words = _hung(words, sorted((*marks, *emotions), key=attrgetter("at")))
     return Sentence(
         source=Span(start, start + len(text)),
         text=text,
@@ -81,6 +84,13 @@ def make_sentence(
         stanza=stanza,
         before=before,
     )
+
+
+def hanging(sentence: Sentence) -> Iterator[Mark]:
+    """All marks of a sentence, in order."""
+    yield from sentence.before
+    for word in sentence.words:
+        yield from word.after
 
 
 def _hung(words: tuple[ScriptWord, ...], marks: Sequence[Mark]) -> tuple[tuple[Mark, ...], tuple[ScriptWord, ...]]:

@@ -101,7 +101,7 @@ def cut(text: str, gap: str, start: int, *, poem: bool, apart: Sequence[int] = (
         Words with lines counted from 0 and the edges they have inside a sentence; may be empty.
     """
     kinds = kinds_of(text + gap)
-    shown = _cover(text, kinds, poem, [place - start for place in apart])
+    shown = _cover(text, gap, kinds, poem=poem, apart=[place - start for place in apart])
     cores = [core for core in _cores(shown[: len(text)]) if core.cut(text) != "#"]
     cores = cores or list(_cores(kinds[: len(text)]))
     if not cores:
@@ -148,14 +148,14 @@ def cut(text: str, gap: str, start: int, *, poem: bool, apart: Sequence[int] = (
     return words
 
 
-def _cover(text: str, kinds: str, poem: bool, apart: Sequence[int]) -> str:
+def _cover(text: str, gap: str, kinds: str, *, poem: bool, apart: Sequence[int]) -> str:
     """Kinds with emoticons and bullets made spaces, links letters, telephone numbers and powers of ten figures."""
     shown = kinds
     if "\n" in text:
         for span in items(text).bullets:
             shown = shown[: span.start] + " " * span.length + shown[span.end :]
-    if emoticons.possible(text):
-        for span in emoticons.spans(text):
+    if emoticons.possible(text) or (gap.strip() and emoticons.possible(gap)):
+        for span in emoticons.spans(text + gap):
             shown = shown[: span.start] + " " * span.length + shown[span.end :]
     if "://" in text or "www." in text:
         for match in _LINK.finditer(text):

@@ -7,7 +7,8 @@ import pytest
 from scorebreath.errors import ScriptError
 from scorebreath.script import decode
 from scorebreath.script import reader as reading
-from scorebreath.script.reader import Reader, primary, read
+from scorebreath.script.language import primary
+from scorebreath.script.reader import Reader, read
 from scorebreath.script.words import LONGEST
 
 

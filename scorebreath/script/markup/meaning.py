@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from scorebreath.errors import ScriptError
+from scorebreath.script.language import primary
 from scorebreath.script.marks import Act, BreathingMark, Mark, NamedMark, NoBreath, ProsodyMark, VoiceMark
 from scorebreath.script.markup import values
 from scorebreath.script.markup.attributes import Attributes
@@ -74,8 +75,6 @@ def check_language(document: Document, attributes: Attributes) -> None:
 
 def _primary(attributes: Attributes) -> str:
     """The primary language an element names."""
-    from scorebreath.script.reader import primary
-
     try:
         return primary(attributes.values["xml:lang"].strip())
     except ScriptError as error:
