@@ -12,7 +12,7 @@ from scorebreath.curves.curve_set import CurveSet, curves
 from scorebreath.curves.rigs.rig import Rig
 from scorebreath.curves.rigs.table import RIGS, rig_named
 from scorebreath.errors import InputError, did_you_mean
-from scorebreath.formats import curves_csv, curves_json, fap, groups_csv, livelink_csv
+from scorebreath.formats import curves_csv, curves_json, fap, groups_csv, livelink_csv, maryxml
 from scorebreath.score.document import Score
 
 
@@ -131,6 +131,10 @@ FORMATS: Mapping[str, Format] = MappingProxyType(
             Format(
                 name="groups.csv", suffix=".csv", what="breath groups, a row a breath",
                 write=_of_score(groups_csv.write),
+            ),
+            Format(
+                name="maryxml", suffix=".xml", what="MaryXML 0.5: words, accents, phones, phrases, boundaries",
+                write=_of_score(maryxml.write),
             ),
             *(row for rig in RIGS for row in rig_formats(rig)),
         )
