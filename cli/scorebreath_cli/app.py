@@ -19,6 +19,7 @@ from scorebreath_cli.commands.norms import norms
 from scorebreath_cli.commands.params import params
 from scorebreath_cli.commands.presets import presets
 from scorebreath_cli.commands.render import render
+from scorebreath_cli.commands.rigs import rigs
 from scorebreath_cli.commands.schema import schema
 from scorebreath_cli.commands.voices import voices
 from scorebreath_cli.failures import Failure, Status, failure_of, tell
@@ -42,6 +43,9 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
     ("curves", curves, MAKE, (
         "scorebreath curves score.json -o curves.csv --fps 60",
         "scorebreath curves score.json -o curves.json --fps 30000/1001",
+        "scorebreath curves score.json -o face.csv --rig arkit --keys",
+        "scorebreath curves score.json -o take_1_Face.csv --rig livelink",
+        "scorebreath curves --describe --rig muscles",
         "scorebreath curves --describe",
     )),
     ("explain", explain, LOOK, (
@@ -67,6 +71,7 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
         "scorebreath render speech.txt -o out --preset formal-tts",
     )),
     ("voices", voices, LOOK, ("scorebreath voices", "scorebreath render speech.txt -o out --voice espeak:en-us+f3")),
+    ("rigs", rigs, LOOK, ("scorebreath rigs", "scorebreath curves --describe --rig arkit")),
     ("schema", schema, LOOK, ("scorebreath schema > score.schema.json",)),
     ("doctor", doctor, LOOK, ("scorebreath doctor", "scorebreath doctor --json")),
 )  # fmt: skip

@@ -12,10 +12,11 @@ from scorebreath_cli import printers
 from scorebreath_cli.failures import Status, reporting
 
 if TYPE_CHECKING:
+    from scorebreath.formats.formats import ExportOptions, Format
     from scorebreath_cli.printers import Printer
 
-FORMATS = ("csv", "json")
 COLUMNS = ("name", "unit", "low", "high", "meaning")
+RIG_COLUMNS = ("name", "unit", "low", "high", "made_of")
 
 
 def curves(
@@ -27,10 +28,27 @@ def curves(
         str, typer.Option("--output", "-o", metavar="FILE", help="Where the curves go; - is stdout.")
     ] = "-",
     fps: o.Fps = "60",
+    rig: Annotated[
+        str | None,
+        typer.Option(
+            "--rig", metavar="NAME|FILE",
+            help="As a character's own shapes: one of `scorebreath rigs`, or a .toml file; all channels by default.",
+            autocompletion=o.complete_rigs,
+        ),
+    ] = None,
     kind: Annotated[
         str | None,
-        typer.Option("--format", metavar="csv|json", help="How they are written.", show_default="as FILE ends, or csv"),
+        typer.Option(
+            "--format", metavar="csv|json|fap", help="How they are written.", show_default="as FILE ends, or csv"
+        ),
     ] = None,
+    keys: Annotated[
+        bool, typer.Option("--keys", help="Add rows where closures begin and end, and at very short phones.")
+    ] = False,
+    closure_gate: Annotated[
+        bool, typer.Option("--closure-gate/--no-closure-gate", help="Whether p, b and m shut the lips in any case.")
+    ] = True,
+    degrees: Annotated[bool, typer.Option("--degrees", help="Angles of --rig livelink in degrees.")] = False,
     body: Annotated[
         str | None, typer.Option("--body", metavar="ID", help="Whose curves, where the score has several bodies.")
     ] = None,
@@ -38,8 +56,8 @@ def curves(
     force: o.Force = False,
     json_lines: o.Json = False,
     debug: o.Debug = False,
-) -> None:
-    """Write the curves that move a character: lungs, chest, belly, neck, nostrils, mouth, airflow, levels.
+) -> None:  # fmt: skip
+    """Write the curves that move a character: breath, lips, lids, eyes, brows, head, emotions, levels.
 
     Row i is at i / fps seconds from the first sample of the sound.
     """
@@ -47,38 +65,74 @@ def curves(
         from scorebreath.errors import InputError
 
         if describe:
-            _describe(printer)
-        elif score is None:
+            _describe(printer, rig)
+            return
+        if score is None:
             raise InputError("SCORE is missing: expected a score, the folder of a take, or - for stdin")
-        else:
-            _write(printer, score, output, fps=fps, kind=kind, body=body, force=force, json_lines=json_lines)
+        form, choice = _chosen(rig, kind, output, fps=fps, keys=keys, gate=closure_gate, degrees=degrees, body=body)
+        _write(printer, score, output, form, choice, force=force, json_lines=json_lines)
 
 
-def _describe(printer: Printer) -> None:
-    from scorebreath.curves.channels import CHANNELS
+def _describe(printer: Printer, rig: str | None) -> None:
+    if rig is None:
+        from scorebreath.curves.channels import CHANNELS
 
-    rows = [{column: getattr(channel, column) for column in COLUMNS} for channel in CHANNELS]
-    printer.table("channel", rows, COLUMNS)
+        rows = [{column: getattr(channel, column) for column in COLUMNS} for channel in CHANNELS]
+        printer.table("channel", rows, COLUMNS)
+        return
+    from scorebreath.curves.rigs.table import rig_named
+
+    found = [{name: getattr(column, name) for name in RIG_COLUMNS} for column in rig_named(rig).table]
+    printer.table("column", found, RIG_COLUMNS)
+
+
+def _chosen(
+    rig: str | None, kind: str | None, output: str, *, fps: str, keys: bool, gate: bool, degrees: bool,
+    body: str | None,
+) -> tuple[Format, ExportOptions]:  # fmt: skip
+    """The format, and what its writer is told; whatever does not fit together is told now.
+
+    Raises:
+        InputError: It does not.
+    """
+    from scorebreath.curves.rigs.table import rig_named
+    from scorebreath.errors import InputError
+    from scorebreath.formats.formats import FORMATS, ExportOptions, rig_formats
+    from scorebreath_cli.settings import frame_rate
+
+    rate = frame_rate(fps)
+    if rig is not None:
+        rig_named(rig)
+    offered = rig_formats(rig) if rig is not None else (FORMATS["curves.csv"], FORMATS["curves.json"])
+    kinds = {form.suffix.removeprefix("."): form for form in offered}
+    suffix = Path(output).suffix.lower().removeprefix(".")
+    if suffix == "fap" and kind is None and suffix not in kinds:
+        raise InputError(f"{output}: a .fap file holds --rig fap")
+    wanted = kind or (suffix if suffix in kinds else "csv")
+    if wanted not in kinds:
+        of = f" of --rig {rig}" if rig is not None else ""
+        raise InputError(f"--format {wanted}{of}: must be {' or '.join(kinds)}")
+    form = kinds[wanted]
+    if keys and not form.keys:
+        raise InputError(f"--keys: {form.name} has no column of times; expected a .csv of channels or another rig")
+    if degrees and form.name != "livelink.csv":
+        raise InputError("--degrees is for the .csv of --rig livelink")
+    if wanted == "fap" and rate.denominator != 1:
+        raise InputError(f"--fps {fps}: must be a whole number in a .fap file, such as 25 or 60")
+    return form, ExportOptions(fps=rate, body=body, closure_gate=gate, keys=keys, degrees=degrees)
 
 
 def _write(
-    printer: Printer, given: str, output: str, *, fps: str, kind: str | None, body: str | None, force: bool,
-    json_lines: bool,
-) -> None:  # fmt: skip
+    printer: Printer, given: str, output: str, form: Format, choice: ExportOptions, *, force: bool, json_lines: bool
+) -> None:
     import sys
 
     from scorebreath.errors import InputError
     from scorebreath_cli.inputs import load_score, read_source
     from scorebreath_cli.outputs import STANDARD, behind, refuse_existing, refuse_own_input, staged_file
-    from scorebreath_cli.settings import frame_rate
     from scorebreath_cli.streams import check_stdout
 
-    rate = frame_rate(fps)
     path = behind(Path(output))
-    suffix = path.suffix.lower().removeprefix(".")
-    form = kind or (suffix if suffix in FORMATS else "csv")
-    if form not in FORMATS:
-        raise InputError(f"--format {form}: must be csv or json")
     if output == STANDARD and json_lines:
         raise InputError("--json tells its events on stdout, where -o - would put the curves; use -o FILE")
     if output == STANDARD:
@@ -87,16 +141,12 @@ def _write(
         refuse_own_input(given, [path])
         refuse_existing(path.parent, (path.name,), force=force)
 
-    from scorebreath.formats.formats import ExportOptions, format_named
-
-    write = format_named(f"curves.{form}").write
     score, _ = load_score(read_source(given))
-    choice = ExportOptions(fps=rate, body=body)
     if output == STANDARD:
-        write(sys.stdout.buffer, score, choice)
+        form.write(sys.stdout.buffer, score, choice)
         return
     printer.started(given, output)
     with staged_file(path) as part, part.open("wb") as stream:
-        write(stream, score, choice)
+        form.write(stream, score, choice)
     printer.written(str(path), path.stat().st_size)
     printer.done(Status.DONE)

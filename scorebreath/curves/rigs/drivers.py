@@ -25,6 +25,14 @@ class Driver:
     meaning: str
 
 
+BETWEEN = 0.88
+"""Value of tongue_tip from which on it comes out between the teeth; for t, d and n it stays below."""
+
+
+def _out(tip: Array) -> Array:
+    return np.clip((tip - BETWEEN) / (1.0 - BETWEEN), 0.0, 1.0)
+
+
 def _closing(close: Array) -> Array:
     return np.clip((close - CLOSING) / (1.0 - CLOSING), 0.0, 1.0)
 
@@ -55,6 +63,10 @@ DRIVERS: Mapping[str, Driver] = MappingProxyType(
         "rounded": Driver(
             ("jaw_open", "lip_round"), lambda jaw, rounded: jaw * rounded, "jaw open behind round lips (oh)"
         ),
+        "hushed": Driver(
+            ("tongue_tip", "lip_round"), np.multiply, "round lips before a raised tip of the tongue (sh)"
+        ),
+        "tongue_out": Driver(("tongue_tip",), _out, "tip of the tongue between the teeth (th)"),
         "shut_left": Driver(("lid_left",), lambda lid: np.maximum(lid, 0.0), "how far the left eye is shut"),
         "shut_right": Driver(("lid_right",), lambda lid: np.maximum(lid, 0.0), "how far the right eye is shut"),
         **{
