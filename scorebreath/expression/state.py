@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
 
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.events import Event
@@ -21,6 +23,45 @@ class Placed:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Memory:
+    """What the face has done, as far as it matters for what it does next."""
+
+    place: str = "start"
+    """key of chance: the group that is or was spoken last"""
+    group: str | None = None
+    """its id"""
+    numbers: Mapping[str, int] = field(default_factory=lambda: MappingProxyType({}))
+    """how many of each kind were made since that group began, by what their ids say"""
+    silent: float | None = 0.0
+    """s since when nobody is heard; None: a group is being decided"""
+    entered: bool = False
+    """whether the pause's own blink and glance are decided"""
+    felt: bool = False
+    """whether the next group's emotions are"""
+    asked: bool = False
+    """whether what was said last is a question"""
+    horizon: float = 0.0
+    """s up to which events have been placed"""
+    eyes: tuple[float, float] = (0.0, 0.0)
+    """yaw and pitch, degrees"""
+    target: str = "listener"
+    eyes_until: float = 0.0
+    """s; gaze is decided up to here"""
+    run_until: float | None = None
+    """s; until then a silent body looks where it does, but for small shifts"""
+    run: tuple[float, float] = (0.0, 0.0)
+    """the middle of those small shifts, degrees"""
+    blink_due: float | None = None
+    """s; when the eyes need a blink; None: not drawn yet"""
+    blink_end: float = -1.0
+    """s; when the last blink is over"""
+    winks: tuple[tuple[float, float], ...] = ()
+    """s; onsets and ends of winks to come"""
+    raised: tuple[float, ...] = ()
+    """s; onsets of the last minute's raises of the brows"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class FaceState:
     """All that is carried: what the face has decided, and what it still waits to know."""
 
@@ -32,4 +73,5 @@ class FaceState:
     time: float = 0.0
     """s; the face is decided up to here"""
     waiting: tuple[Placed, ...] = ()
-    """placed, but what follows must be known first: the pause behind a group, the phrase an emotion spans"""
+    """groups that were placed, but what follows them must be known first"""
+    memory: Memory = Memory()

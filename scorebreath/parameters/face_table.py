@@ -28,12 +28,20 @@ class FaceTable(BreathTable):
     blink_at_pause: float | None = row(
         None, "Share of pauses with a blink", low=0, high=1, level="face", source="A20; physiology 7.5",
     )  # fmt: skip
+    blink_double: float | None = row(
+        None, "Share of blinks that are followed by another one at once", low=0, high=1,
+        level="face", source="physiology 7.5",
+    )  # fmt: skip
     brow_at_maximum: float | None = row(
         None, "Share of pitch maxima with a raise of the brows", low=0, high=1,
         level="face", source="A28, Y4 (Cave 1996); physiology 7.5",
     )  # fmt: skip
     brow_interval: float | None = row(
         None, "Least time between two raises of the brows", unit="s", low=0, high=60,
+        level="face", source="physiology 7.5",
+    )  # fmt: skip
+    brow_per_minute: float | None = row(
+        None, "The most raises of the brows within a minute", low=0, high=600,
         level="face", source="physiology 7.5",
     )  # fmt: skip
     brow_height: float | None = row(
@@ -78,6 +86,10 @@ class FaceTable(BreathTable):
     look_at_listener: float | None = row(
         None, "Share of speaking time for which the eyes stay at the listener", low=0, high=1,
         level="face", source="physiology 7.5 (Argyle & Cook 1976: 41 %)",
+    )  # fmt: skip
+    look_when_silent: float | None = row(
+        None, "Share of the time for which somebody who does not speak looks at the other", low=0, high=1,
+        level="face", source="physiology 7.5 (Argyle & Cook 1976: 75 %)",
     )  # fmt: skip
     gaze_range: float | None = row(
         None, "How far small random shifts of gaze go", unit="deg", low=0, high=10,

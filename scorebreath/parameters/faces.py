@@ -15,8 +15,10 @@ class Face:
 
     blink_interval: float
     blink_at_pause: float
+    blink_double: float
     brow_at_maximum: float
     brow_interval: float
+    brow_per_minute: float
     brow_height: float
     head_per_semitone: float
     head_highest: float
@@ -28,6 +30,7 @@ class Face:
     glance_at_accent: float
     glance_at_pause: float
     look_at_listener: float
+    look_when_silent: float
     gaze_range: float
     gaze_away: float
     word_search: float

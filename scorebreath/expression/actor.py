@@ -1,0 +1,104 @@
+"""Makes the events of one face: ids, the grid, and how long movements take."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+from typing import Any
+
+from scorebreath import chance
+from scorebreath.equations.looking import saccade_time
+from scorebreath.expression.rules import because
+from scorebreath.expression.state import FaceState, Memory
+from scorebreath.parameters.faces import Face, face
+from scorebreath.score.events import Blink, Brow, Event, Gaze, Head
+from scorebreath.units import snap
+
+SHORTEST = 1e-5
+"""s; what is shorter is no time."""
+
+
+@dataclass(slots=True)
+class Actor:
+    """A face at work."""
+
+    state: FaceState
+    memory: Memory = field(init=False)
+    face: Face = field(init=False)
+    events: list[Event] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        """Go on where the face is."""
+        self.memory = self.state.memory
+        self.face = face(self.state.parameters)
+
+    def note(self, **changes: Any) -> None:
+        """Remember."""
+        self.memory = replace(self.memory, **changes)
+
+    def draws(self, purpose: str, count: int, key: object = "") -> list[float]:
+        """Numbers drawn evenly from [0, 1) for one purpose here; the first ones are the same whatever their count."""
+        place = f"{self.memory.place}/{key}" if key != "" else self.memory.place
+        return [
+            float(u) for u in chance.stream(self.state.seed, self.state.body, f"face.{purpose}", place).random(count)
+        ]
+
+    def count(self, what: str) -> int:
+        """How many of a kind there have been since the group began; one more from now on."""
+        number = self.memory.numbers.get(what, 0)
+        self.note(numbers=MappingProxyType({**self.memory.numbers, what: number + 1}))
+        return number
+
+    def blink(self, onset: float, parts: tuple[float, float, float], closed: float, rule: str, why: str = "") -> None:
+        """Both lids close, stay and open, in so many seconds each."""
+        close, hold, open_ = (snap(part) for part in parts)
+        self._add(
+            Blink, "blink", (onset, close + hold + open_), (rule, why), left=snap(closed), right=snap(closed), close=close,
+            hold=hold, open=open_,
+        )  # fmt: skip
+
+    def brow(self, times: tuple[float, float, float, float], shape: Sequence[float], rule: str, why: str) -> None:
+        """Brows: `times` are onset, apex, begin of the way back, end; `shape` left, right, frown."""
+        onset, apex, back, end = (snap(time) for time in times)
+        left, right, frown = (snap(min(1.0, max(0.0, value))) for value in shape)
+        self._add(
+            Brow, "brow", (onset, end - onset), (rule, why), left=left, right=right, frown=frown, apex=snap(apex - onset),
+            hold=snap(back - apex),
+        )  # fmt: skip
+
+    def head(self, times: tuple[float, float, float, float], pitch: float, roll: float, rule: str, why: str) -> None:
+        """The head: `times` as with `brow`; degrees."""
+        onset, apex, back, end = (snap(time) for time in times)
+        self._add(
+            Head, "head", (onset, end - onset), (rule, why), pitch=snap(pitch), yaw=0.0, roll=snap(roll),
+            apex=snap(apex - onset), hold=snap(back - apex),
+        )  # fmt: skip
+
+    def gaze(self, until: float, eyes: tuple[float, float], target: str, rule: str, why: str = "") -> None:
+        """The eyes turn, as soon as they are free, and stay until a time."""
+        onset, (yaw, pitch) = self.memory.eyes_until, self.memory.eyes
+        until = snap(until)
+        if until - onset <= SHORTEST:
+            return
+        to = snap(eyes[0]), snap(eyes[1])
+        length = snap(until - onset)
+        move = min(length, saccade_time(math.hypot(to[0] - yaw, to[1] - pitch)))
+        self._add(
+            Gaze, "gaze", (onset, length), (rule, why), target=target, yaw=to[0], pitch=to[1], from_yaw=yaw,
+            from_pitch=pitch, move=snap(move),
+        )  # fmt: skip
+        self.note(eyes=to, target=target, eyes_until=until)
+
+    def _add(
+        self, kind: type[Event], what: str, time: tuple[float, float], rule: tuple[str, str], **values: Any
+    ) -> None:  # fmt: skip
+        """`time` is onset and length; `rule` its name, and why."""
+        number = self.count(what) + 1
+        self.events.append(
+            kind(
+                id=f"{self.memory.group or self.state.body}.{what}{number}", body=self.state.body, onset=snap(time[0]),
+                duration=snap(time[1]), group=self.memory.group, rule=because(*rule), **values,
+            )
+        )  # fmt: skip

@@ -1,0 +1,110 @@
+"""Blinks: at pauses, and when the eyes need one (A20, A21, Y3).
+
+Every blink, whatever its cause, restarts the eyes' own clock. Lids are shut within 75 ms, mostly not quite, and open
+slower (physiology 7.5); no blink lasts 300 ms, which would be seen as a sign (Hoemke 2018).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from scorebreath.equations.looking import blink_interval, blink_limit
+from scorebreath.expression.actor import Actor
+from scorebreath.expression.coordination import APART, PausePlan
+from scorebreath.expression.scene import Scene
+
+CLOSE, HOLD = 0.075, 0.01
+OPEN = (0.12, 0.205)
+"""s of opening, from and to."""
+CLOSED = (0.75, 1.0)
+"""How far lids close: most blinks are not complete."""
+BETWEEN = 0.06
+"""s from one blink's end to the next, at least; to the second one of two, just so."""
+LONGEST = CLOSE + HOLD + OPEN[1]
+NUDGE = 0.25
+"""s that a blink by itself may be moved to be at a phone's boundary outside stressed vowels."""
+RULES = {"pause": "blink at pause", "need": "blink by itself", "double": "double blink"}
+
+
+def due(actor: Actor) -> float:
+    """When the next blink by itself is due, s."""
+    memory = actor.memory
+    if memory.blink_due is None:
+        actor.note(blink_due=_draw(actor, 0.0, "begin"))
+    return actor.memory.blink_due or 0.0
+
+
+def blink(actor: Actor, onset: float, cause: str, why: str = "") -> None:
+    """Blink now, and draw when to do so again."""
+    number = actor.memory.numbers.get("blink", 0)
+    opening, closed, twice, *_ = actor.draws("blink", 5, number)
+    parts = (CLOSE, HOLD, OPEN[0] + (OPEN[1] - OPEN[0]) * opening)
+    actor.blink(onset, parts, CLOSED[0] + (CLOSED[1] - CLOSED[0]) * closed, RULES[cause], why)
+    last, end = onset, onset + sum(parts)
+    again = end + BETWEEN
+    if cause != "double" and twice < actor.face.blink_double and free(actor, again):
+        actor.note(blink_end=end)
+        blink(actor, again, "double")
+        return
+    actor.note(blink_end=end, blink_due=_draw(actor, last, number))
+
+
+def _draw(actor: Actor, since: float, key: object) -> float:
+    mean = actor.face.blink_interval
+    waited = blink_interval(mean, actor.draws("blink.interval", 3, key))
+    return since + min(waited, max(0.5 * mean, blink_limit(mean) - NUDGE - APART))
+
+
+def free(actor: Actor, onset: float) -> bool:
+    """Whether a blink fits there: the last one is over, and no wink is in its way."""
+    if onset < actor.memory.blink_end + BETWEEN - 1e-6:
+        return False
+    return all(onset + LONGEST < begin or end < onset for begin, end in actor.memory.winks)
+
+
+def speech_blinks(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> None:
+    """All blinks while a group is spoken."""
+    planned = [plan.blink for plan in pauses if plan.blink is not None]
+    looks = [time for plan in pauses for time in plan.looks]
+    while True:
+        need = max(due(actor), scene.onset)
+        if planned and planned[0] <= need + NUDGE:
+            at = planned.pop(0)
+            if free(actor, at):
+                blink(actor, at, "pause")
+        elif need < scene.end:
+            low = max(scene.onset, actor.memory.blink_end + BETWEEN)
+            at = _calm(scene, need, low, looks)
+            if at >= scene.end:
+                return
+            if free(actor, at):
+                blink(actor, at, "need", f"{at - _since(actor, at):.1f} s after the last")
+            else:
+                actor.note(blink_due=_after_wink(actor, at))
+        else:
+            return
+
+
+def _since(actor: Actor, at: float) -> float:
+    """Onset of the last blink, roughly: where its end is known alone."""
+    return min(at, max(0.0, actor.memory.blink_end))
+
+
+def _after_wink(actor: Actor, at: float) -> float:
+    """When a wink that is in the way is over; a wink is a blink, too."""
+    ends = [end for begin, end in actor.memory.winks if not (at + LONGEST < begin or end < at)]
+    return max([at, *ends]) + BETWEEN
+
+
+def _calm(scene: Scene, time: float, low: float, looks: Sequence[float]) -> float:
+    """The place near a time where a blink disturbs nobody: not in a stressed vowel, nor beside a glance at a pause."""
+
+    def calm(at: float) -> bool:
+        stressed = any(at in span for span in scene.stressed)
+        return not stressed and all(abs(at - look) >= APART + 1e-4 for look in looks)
+
+    open_ = [silence for silence in scene.silences if silence.free and time in silence]
+    if open_ and time >= low and calm(time):
+        return time
+    near = [edge for edge in scene.between(max(low, time - NUDGE), time + NUDGE) if calm(edge)]
+    return min(near, key=lambda edge: abs(edge - time)) if near else scene.edge(time, low)

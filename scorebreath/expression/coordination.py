@@ -1,0 +1,68 @@
+"""Who moves at a pause, and when: at one pause at most one of blink, glance and search begins within 150 ms of another.
+
+A search has a pause's beginning to itself. Where a blink and a glance are both to come, a coin says which is first; the
+other one follows when it is far enough from the first, or not at all.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scorebreath.expression.actor import Actor
+from scorebreath.expression.scene import Scene, Silence
+
+APART = 0.15
+"""s between two of them."""
+LATER = 0.06
+"""s that something in a free silence begins after the last sound, at most."""
+BLINK_FIRST = 0.5
+"""Share of pauses in which the blink comes before the glance."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PausePlan:
+    """Onsets in one pause; None: it does not happen."""
+
+    silence: Silence
+    blink: float | None = None
+    glance: float | None = None
+    search: float | None = None
+
+    @property
+    def looks(self) -> tuple[float, ...]:
+        """Onsets that blinks keep away from."""
+        return tuple(time for time in (self.glance, self.search) if time is not None)
+
+
+def plan_pauses(actor: Actor, scene: Scene) -> list[PausePlan]:
+    """The pauses inside a group."""
+    plans = []
+    for number, silence in enumerate(scene.silences):
+        asked = any(silence.onset in span or silence.end in span for span in scene.asking)
+        plans.append(plan_pause(actor, silence, number, asked=asked))
+    return plans
+
+
+def plan_pause(actor: Actor, silence: Silence, key: object, *, asked: bool) -> PausePlan:
+    """One pause.
+
+    Args:
+        actor: Its rates and chance.
+        silence: The pause.
+        key: Its number in the group, for chance.
+        asked: Whether the eyes are at the listener all the time: then no glance is needed.
+    """
+    face = actor.face
+    blinks, glances, order, late, later, searches = actor.draws("pause", 6, key)
+    blink, glance = blinks < face.blink_at_pause, glances < face.glance_at_pause and not asked
+    search = silence.search and searches < face.word_search
+    first = silence.onset + (LATER * late if silence.free else 0.0)
+    second = first + APART + 0.05 + 0.1 * later if silence.free else silence.end
+    fits = second - first >= APART + 1e-4 and second < silence.end + 1e-9
+    if search:
+        return PausePlan(silence=silence, search=first, blink=second if blink and fits else None)
+    if not (blink and glance):
+        return PausePlan(silence=silence, blink=first if blink else None, glance=first if glance else None)
+    if order < BLINK_FIRST:
+        return PausePlan(silence=silence, blink=first, glance=second if fits else None)
+    return PausePlan(silence=silence, glance=first, blink=second if fits else None)

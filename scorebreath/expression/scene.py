@@ -1,0 +1,246 @@
+"""What is known of a group that has been placed: where its phones, words, accents, phrases and pauses lie in time."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from scorebreath.expression.intonation import extrema, syllable
+from scorebreath.expression.state import Placed
+from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Phone, Phrase, Utterance, Word
+from scorebreath.script.accents import is_hesitation
+
+PAUSE = 0.15
+"""s of silence that make a pause (A4)."""
+PROLONGED = 0.6
+"""s of an unfilled pause within a sentence in which a word is searched for (Y2)."""
+NEAR = 0.05
+"""s that a phrase's end and the silence behind it may lie apart."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Span:
+    """A stretch of time; seconds from the Score's start."""
+
+    onset: float
+    end: float
+    text: str = ""
+    """the word or words"""
+
+    def __contains__(self, time: float) -> bool:
+        """Whether a time lies within, its end left out."""
+        return self.onset <= time < self.end
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Silence(Span):
+    """A pause inside a group."""
+
+    free: bool
+    """between two utterances: there are no phones' boundaries to keep to"""
+    search: bool
+    """whether a word is searched for in it"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Peak:
+    """A pitch maximum, between the two minima around it."""
+
+    before: float
+    time: float
+    after: float
+    semitones: float
+    """above the voice's low tone"""
+    syllable: float | None
+    """onset of its accented syllable"""
+    text: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Question(Span):
+    """A question's last word; `until` is where speech goes on inside the group, None: not before its end."""
+
+    until: float | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scene:
+    """A group in time."""
+
+    onset: float
+    """of the first sound"""
+    end: float
+    """of the last sound"""
+    edges: tuple[float, ...]
+    """boundaries of phones, ascending"""
+    stressed: tuple[Span, ...]
+    """stressed vowels"""
+    accents: tuple[Span, ...]
+    """accented syllables"""
+    peaks: tuple[Peak, ...]
+    silences: tuple[Silence, ...]
+    phrases: tuple[Span, ...]
+    asking: tuple[Span, ...]
+    """stretches that belong to questions"""
+    questions: tuple[Question, ...]
+    hesitations: tuple[Span, ...]
+
+    def edge(self, time: float, low: float = 0.0) -> float:
+        """The phones' boundary nearest to a time, not before `low` (A19)."""
+        first = bisect_left(self.edges, low)
+        place = max(first, bisect_left(self.edges, time))
+        near = self.edges[max(first, place - 1) : place + 1]
+        return min(near, key=lambda edge: abs(edge - time)) if near else max(low, time)
+
+    def between(self, low: float, high: float) -> Sequence[float]:
+        """Boundaries in [low, high]."""
+        return self.edges[bisect_left(self.edges, low - 1e-9) : bisect_left(self.edges, high + 1e-9)]
+
+
+def speech(placed: Placed) -> list[Utterance]:
+    """Its utterances in time."""
+    return sorted((e for e in placed.events if isinstance(e, Utterance)), key=lambda e: e.onset)
+
+
+def first_sound(placed: Placed) -> float | None:
+    """When it begins to speak; None: it does not."""
+    onsets = [sound.onset for utterance in speech(placed) for sound in _sounds(utterance)]
+    return min(onsets, default=None)
+
+
+def scene(placed: Placed, language: str) -> Scene:
+    """Look at a group that speaks."""
+    utterances = speech(placed)
+    sounds = [sound for utterance in utterances for sound in _sounds(utterance)]
+    phrases = _phrases(placed.events, utterances)
+    asking = [each for each in phrases if each.sentence_type == "question"]
+    words = [(word, utterance) for utterance in utterances for word in utterance.words]
+    edges = {u.onset + t for u in utterances for p in u.phones for t in (p.onset, p.onset + p.duration)}
+    edges |= {time for sound in sounds for time in (sound.onset, sound.end)}
+    silences = _silences(sounds, utterances, phrases, placed.events)
+    return Scene(
+        onset=sounds[0].onset,
+        end=sounds[-1].end,
+        edges=tuple(sorted(edges)),
+        stressed=tuple(_span(u, p) for u in utterances for p in u.phones if p.stress == 1),
+        accents=tuple(accent for utterance in utterances for accent in _accents(utterance)),
+        peaks=tuple(peak for utterance in utterances for peak in _peaks(utterance)),
+        silences=silences,
+        phrases=tuple(Span(onset=each.onset, end=each.end) for each in phrases),
+        asking=tuple(Span(onset=each.onset, end=each.end) for each in asking),
+        questions=_questions(asking, words, sounds),
+        hesitations=tuple(_span(u, word, word.text) for word, u in words if is_hesitation(word.text, language)),
+    )
+
+
+def _span(utterance: Utterance, part: Phone | Word, text: str = "") -> Span:
+    onset = utterance.onset + part.onset
+    return Span(onset=onset, end=onset + part.duration, text=text)
+
+
+def _sounds(utterance: Utterance) -> list[Span]:
+    """Phones that are heard; of a voice that tells none, the whole utterance."""
+    heard = [_span(utterance, phone) for phone in utterance.phones if phone.ipa]
+    return heard or [Span(onset=utterance.onset, end=utterance.end)]
+
+
+def _accents(utterance: Utterance) -> list[Span]:
+    """The accented syllable of each accented word."""
+    phones: dict[int, list[Phone]] = {}
+    for phone in utterance.phones:
+        if phone.word is not None and phone.ipa and utterance.words[phone.word].accent:
+            phones.setdefault(phone.word, []).append(phone)
+    found = []
+    for word, own in phones.items():
+        low, high = syllable(own)
+        found.append(Span(onset=utterance.onset + low, end=utterance.onset + high, text=utterance.words[word].text))
+    return sorted(found, key=lambda span: span.onset)
+
+
+def _peaks(utterance: Utterance) -> list[Peak]:
+    turns = extrema(utterance)
+    peaks = []
+    for number, turn in enumerate(turns):
+        if turn.kind == "maximum":
+            before = next((t.time for t in reversed(turns[:number]) if t.kind == "minimum"), 0.0)
+            after = next((t.time for t in turns[number + 1 :] if t.kind == "minimum"), utterance.duration)
+            peaks.append(
+                Peak(
+                    before=utterance.onset + before, time=utterance.onset + turn.time, after=utterance.onset + after,
+                    semitones=turn.semitones, text="" if turn.word is None else utterance.words[turn.word].text,
+                    syllable=None if turn.syllable is None else utterance.onset + turn.syllable[0],
+                )
+            )  # fmt: skip
+    return peaks
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Phrase(Span):
+    position: str
+    sentence_type: str
+
+
+def _phrases(events: Sequence[Event], utterances: Sequence[Utterance]) -> list[_Phrase]:
+    """Phrases as placed; what is in none is one by itself."""
+    found = [
+        _Phrase(onset=e.onset, end=e.end, position=e.position, sentence_type=e.sentence_type)
+        for e in events
+        if isinstance(e, Phrase)
+    ]
+    for utterance in utterances:
+        if not any(each.onset < utterance.end and utterance.onset < each.end for each in found):
+            found.append(
+                _Phrase(
+                    onset=utterance.onset, end=utterance.end,
+                    position="internal" if utterance.closing == "continuing" else "final",
+                    sentence_type="question" if utterance.closing == "question" else "statement",
+                )
+            )  # fmt: skip
+    return sorted(found, key=lambda each: (each.onset, each.end))
+
+
+def _silences(
+    sounds: Sequence[Span], utterances: Sequence[Utterance], phrases: Sequence[_Phrase], events: Sequence[Event]
+) -> tuple[Silence, ...]:
+    """Gaps of `PAUSE` or more between one sound and the next."""
+    breaths = [e for e in events if _breathes(e)]
+    found = []
+    for one, other in pairwise(sounds):
+        if other.onset - one.end < PAUSE:
+            continue
+        ended = next(
+            (each for each in reversed(phrases) if each.onset < one.end and each.end <= other.onset + NEAR), None
+        )
+        filled = any(e.onset < other.onset - NEAR and e.end > one.end + NEAR for e in breaths)
+        inner = ended is None or ended.position == "internal"
+        found.append(
+            Silence(
+                onset=one.end, end=other.onset, free=not any(u.onset < other.onset < u.end - 1e-9 and u.onset < one.end
+                                                             for u in utterances),
+                search=inner and not filled and other.onset - one.end >= PROLONGED,
+            )
+        )  # fmt: skip
+    return tuple(found)
+
+
+def _breathes(event: Event) -> bool:
+    """Whether a pause with this in it is one to breathe in."""
+    if isinstance(event, Expiration):
+        return event.kind != "speech"
+    return isinstance(event, Inspiration) or (isinstance(event, Hold) and event.kind == "held")
+
+
+def _questions(
+    asking: Sequence[_Phrase], words: Sequence[tuple[Word, Utterance]], sounds: Sequence[Span]
+) -> tuple[Question, ...]:
+    """Last words of the questions that end in the group."""
+    found = []
+    for phrase in asking:
+        said = [_span(u, word, word.text) for word, u in words if phrase.onset <= u.onset + word.onset < phrase.end]
+        if phrase.position == "final" and said:
+            last = said[-1]
+            until = next((sound.onset for sound in sounds if sound.onset >= last.end - 1e-6), None)
+            found.append(Question(onset=last.onset, end=last.end, text=last.text, until=until))
+    return tuple(found)
