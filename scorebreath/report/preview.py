@@ -17,6 +17,7 @@ from scorebreath.errors import InputError
 from scorebreath.report.compact import BLOCK, CompactSound
 from scorebreath.report.rows import clock, groups_counted
 from scorebreath.report.transcript import transcript
+from scorebreath.score.acting import EMOTIONS
 from scorebreath.score.document import Score
 from scorebreath.score.events import Inspiration
 from scorebreath.units import snap
@@ -25,7 +26,11 @@ LONGEST = 600.0
 """s; of a longer Score the preview holds the beginning: 1.5 MB a minute, 21 MB at most"""
 FPS = 60
 CHANNELS = (
-    "lung_volume", "thorax", "abdomen", "shoulder", "nostril_flare", "mouth_open", "airflow", "head_pitch",
+    "lung_volume", "thorax", "abdomen", "shoulder", "nostril_flare", "mouth_open", "airflow",
+    "jaw_open", "lip_close", "lip_round", "lip_spread", "lip_tuck", "tongue_tip",
+    "head_pitch", "head_yaw", "head_roll", "eye_pitch", "eye_yaw", "lid_left", "lid_right",
+    "brow_left", "brow_right", "brow_frown", "wrinkle_forehead", "wrinkle_glabella",
+    *(f"emotion_{name}" for name in EMOTIONS),
     "speech_level", "breath_level",
 )  # fmt: skip
 """What the page draws."""
@@ -70,7 +75,7 @@ class Preview:
             "style": _static("preview.css"),
             "figure": _static("figure.svg"),
             "data": _data(score, curve_set, self.shown),
-            "script": _static("figure.js") + _static("preview.js"),
+            "script": _static("face.js") + _static("figure.js") + _static("preview.js"),
         }
 
     def write(self, stream: BinaryIO, sound: CompactSound) -> None:
@@ -121,9 +126,11 @@ def _data(score: Score, curve_set: CurveSet, shown: float) -> str:
 
 
 def _packed(values: NDArray[np.float64]) -> dict[str, object]:
-    """Values as 16-bit steps between the lowest and the highest, little-endian, in base64."""
+    """Values as 16-bit steps between the lowest and the highest, little-endian, in base64; a constant as one."""
     low, high = float(values.min()), float(values.max())
     step = (high - low) / STEPS
+    if not step:
+        values = values[:1]
     steps = np.rint((values - low) / (step or 1.0)).astype("<u2")
     return {"low": low, "step": step, "values": base64.b64encode(steps.tobytes()).decode("ascii")}
 

@@ -33,17 +33,6 @@ const figure = (() => {
       "C", 273, 128, 263, 130, 257 - .4 * f, 123, "Z"]));
     at("nostril").setAttribute("rx", n(3.6 + .7 * f));
     at("nostril").setAttribute("ry", n(1.7 + .6 * f));
-    const w = 2.6 * f;
-    path("front-nose", mix(["M", -31 - w, -26, "C", -46 - w, -18, -46 - w, 4, -30 - .6 * w, 4, "C", -22, 2, -14, 12, 0, 12, "C", 14, 12, 22, 2, 30 + .6 * w, 4,
-      "C", 46 + w, 4, 46 + w, -18, 31 + w, -26]));
-    for (const [id, side] of [["front-left", 1], ["front-right", -1]]) {
-      const hole = at(id);
-      hole.setAttribute("cx", n(side * (18 + .5 * w)));
-      hole.setAttribute("cy", 1);
-      hole.setAttribute("rx", n(8 + .6 * w));
-      hole.setAttribute("ry", n(4.2 + .5 * w));
-      hole.setAttribute("transform", `rotate(${-18 * side} ${n(side * (18 + .5 * w))} 1)`);
-    }
   }
 
   function mouth(open) {
@@ -51,10 +40,14 @@ const figure = (() => {
     const turned = (x, y) => [hx + (x - hx) * Math.cos(turn) - (y - hy) * Math.sin(turn), hy + (x - hx) * Math.sin(turn) + (y - hy) * Math.cos(turn)];
     at("jaw").setAttribute("transform", `rotate(${n(angle)} ${hx} ${hy})`);
     path("mouth-inside", open < .005 ? "" : mix(["M", 243, 148, "L", 264, 146, "L", ...turned(263, 153), "L", ...turned(244, 152), "Z"]));
-    const gap = open * 50, wide = 40 - .1 * gap, low = 60 + 1.3 * gap;
-    path("front-upper", mix(["M", -wide, 60, "C", -24, 51, -10, 45, 0, 50, "C", 10, 45, 24, 51, wide, 60, "C", 18, 61.5, -18, 61.5, -wide, 60, "Z"]));
-    path("front-inside", mix(["M", -wide, 60, "C", -18, 59, 18, 59, wide, 60, "C", 24, low, -24, low, -wide, 60, "Z"]));
-    path("front-lower", mix(["M", -wide, 60, "C", -22, low - 1, 22, low - 1, wide, 60, "C", 27, low + 20, -27, low + 20, -wide, 60, "Z"]));
+  }
+
+  // It is the right side that is seen.
+  function eye(lid, brow) {
+    const shut = Math.min(1, Math.max(0, lid)), low = 90 + 9 * shut;
+    path("lid", mix(["M", 232, 96, "C", 239, low, 247, low, 253, 95 + shut]));
+    at("eye").setAttribute("ry", n(3.6 * (1 - shut)));
+    at("brow").setAttribute("transform", `translate(0 ${n(-7 * brow)})`);
   }
 
   // What air does: in through what is open, out while speaking, or where it is heard. The dashes travel with the volume: no clock of their own.
@@ -78,7 +71,11 @@ const figure = (() => {
     torso(chest, belly, lift, pose.lung_volume);
     nose(pose.nostril_flare * gain);
     const loud = air(pose, still);
-    mouth(Math.max(pose.mouth_open * gain, .28 * Math.max(0, loud - .35)));
+    if (!lipsMove) pose = {...pose, jaw_open: .28 * Math.max(0, loud - .35)};
+    pose = {...pose, mouth_open: Math.min(1, pose.mouth_open * gain)};
+    mouth(face.aperture(pose));
+    eye(pose.lid_right, pose.brow_right);
+    face.draw(pose, gain);
     for (const part of document.querySelectorAll("#figure .head"))
       part.setAttribute("transform", `translate(0 ${n(-.25 * lift * SHOULDER)}) rotate(${n(-pose.head_pitch * gain)} 172 216)`);
   };

@@ -16,13 +16,15 @@ function bytes(base64) {
   return out;
 }
 
-// Curves: 16-bit steps between a channel's lowest and highest value, little-endian, straight lines between frames.
+// Curves: 16-bit steps between a channel's lowest and highest value, little-endian, straight lines between frames; one that never moves has one.
 const channels = {};
 for (const [name, {low, step, values}] of Object.entries(data.channels)) {
   const raw = new DataView(bytes(values).buffer), decoded = new Float32Array(raw.byteLength / 2);
   for (let i = 0; i < decoded.length; i++) decoded[i] = low + step * raw.getUint16(2 * i, true);
   channels[name] = decoded;
 }
+// A Score that knows no phones has lips that follow the loudness.
+const lipsMove = ["jaw_open", "lip_close", "lip_round", "lip_spread"].some(name => channels[name].some(v => v > .01));
 function sample(name, t) {
   const values = channels[name], x = Math.min(Math.max(t * data.fps, 0), values.length - 1), i = Math.floor(x);
   const next = values[Math.min(i + 1, values.length - 1)];
