@@ -27,7 +27,7 @@ _PATTERN = re.compile(
     rf"""
     >?[:;]-(?: [|<oO?/\\DPp*] | ([)(])\1{{0,4}} )         (?![^\W_])  # :-)   >:-<   :-o   :-))
     | (?<!\S) >?\ ?[:;]\ ?-\ ?[)(|<oO]                     (?![^\W_])  # : - )   :- )   > : - <
-    | (?<!\S) >?[:;=]'?-?(?: [|DPpoO] | ([)(])\2{{0,4}} | o\) ) (?![^\W_])  # :)   ;)   :D   >:(   :'-(
+    | (?<!\S) >?[:;=]'?-?(?: o\) | [|DPpoO] | ([)(])\2{{0,4}} ) (?![^\W_])  # :)   ;)   :D   >:(   :'-(
     | (?<!\S) \(-?[:;=]                (?![^\s.,!?])  # (:   (-:
     | (?<!\S) [xX]D{{1,4}}             (?![^\W_])  # XD
     | (?<=[.!?…]\ ) D-?:               (?!\S)  # No! D:   but not "vitamin D: yes", nor at the beginning of a line
@@ -41,6 +41,7 @@ _PATTERN = re.compile(
     re.VERBOSE,
 )
 _SIGN = re.compile(rf"[-:;=<_]|[xX]D|{_EMOJI}")
+_OPEN = re.compile(r"(?<!\S)(?:[oOTuUxX]_{0,3}|D-?)\Z")
 _MARKED = re.compile(r"[.!?:;,…–—][\"'”’»«“)\]]{0,3}[ \n]{0,2}$")
 _IDLE = re.compile(r"(?P<space>[ ]{0,2})[.,;:…]{1,3}(?=[\s\"'”’»«“)\]]|\Z)")
 _APART = re.compile(r"[ \t]{1,3}|(?!\s)")
@@ -100,6 +101,15 @@ def idle(text: str, place: int) -> bool:
     near = text[max(0, place - _NEAR) : place + 4]
     place = min(place, _NEAR)
     return possible(near[:place]) and any(span.start < place < span.end for span in spans(near))
+
+
+def unfinished(text: str, place: int) -> bool:
+    """Whether the letter at a place may turn out to begin an emoticon when more text has come.
+
+    >>> unfinished("Oh! o_", 4), unfinished("Oh! or", 4)
+    (True, False)
+    """
+    return _OPEN.match(text, place) is not None
 
 
 def signs(text: str, start: int = 0) -> Iterator[Sign]:

@@ -208,7 +208,8 @@ class Reader:
         for match in _LETTER.finditer(self._kinds, self._at):
             place = match.start()
             behind = self._text[max(self._at, place - emoticons.LONGEST) : place]
-            if not self._over and len(self._text) - place < _KEPT and "<" in behind:
+            heart = len(self._text) - place < _KEPT and "<" in behind
+            if not self._over and (heart or emoticons.unfinished(self._text, place)):
                 return place, False
             near = max(self._at, place - emoticons.LONGEST), min(len(self._text), place + _KEPT)
             if not any(span.start <= place < span.end for span in emoticons.spans(self._text, *near)):

@@ -48,7 +48,7 @@ def test_the_names_people_type(name: str) -> None:
 
 
 def test_every_tag_is_tried_here() -> None:
-    tried = {*ACTS, "hold", "pause", "no-breath", "state", "/state", "mark", "voice", "/voice"}
+    tried = {*ACTS, "hold", "pause", "no-breath", "state", "emotion", "/state", "mark", "voice", "/voice"}
     assert {tag.name for tag in TAGS} == tried
     assert set(tags()) == {name for tag in TAGS for name in (tag.name, *tag.aliases)} | set(STATES)
 

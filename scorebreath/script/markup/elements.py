@@ -58,10 +58,12 @@ ELEMENTS: Mapping[str, Element] = {
     "token": _WORD,
     "meta": Element(content="empty", idle=("name", "content", "http-equiv")),
     "metadata": Element(content="ignored"),
+    "emotion": Element(content="empty", attributes=("type", "intensity"), required=("type",)),
     "amazon:breath": Element(content="empty", attributes=("duration", "volume")),
     "amazon:auto-breaths": Element(attributes=("volume", "frequency", "duration")),
 }  # fmt: skip
-"""Elements of SSML 1.1 and Amazon Polly that are understood; `paragraph` and `sentence` are SSML 1.0's."""
+"""Elements of SSML 1.1 and Amazon Polly that are understood; `paragraph` and `sentence` are SSML 1.0's, `emotion` is
+S3's (A9)."""
 
 UNSUPPORTED = frozenset(
     {

@@ -6,12 +6,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from scorebreath.errors import ScriptError
+from scorebreath.script import emotions
 from scorebreath.script.language import primary
-from scorebreath.script.marks import Act, BreathingMark, Mark, NamedMark, NoBreath, ProsodyMark, VoiceMark
+from scorebreath.script.marks import Act, BreathingMark, EmotionMark, Mark, NamedMark, NoBreath, ProsodyMark, VoiceMark
 from scorebreath.script.markup import values
 from scorebreath.script.markup.attributes import Attributes
 from scorebreath.script.markup.names import LONGEST_NAME, is_name
-from scorebreath.script.markup.quantities import LONGEST_PAUSE, seconds
+from scorebreath.script.markup.quantities import LONGEST_PAUSE, seconds, share
 from scorebreath.script.markup.say_as import INTERPRETATIONS, say_as
 from scorebreath.script.markup.values import Prosody
 from scorebreath.script.markup.writer import Writer
@@ -128,6 +129,13 @@ def mark_name(attributes: Attributes, what: str) -> str:
     return attributes.read("name", lambda text: text if is_name(text) else None, "", expected)
 
 
+def _emotion(document: Document, attributes: Attributes) -> None:
+    expected = emotions.expected(attributes.values["type"].strip())
+    name = attributes.read("type", emotions.named, "", expected)
+    intensity = attributes.read("intensity", share, 1.0, "a number from 0 to 1, or a percentage")
+    document.writer.mark(EmotionMark(at=0, written=attributes.written, name=name, intensity=intensity))
+
+
 def _emphasis(document: Document, attributes: Attributes) -> Close:
     return prosody_until_end(document, attributes, attributes.choice("level", values.EMPHASES, "moderate"))
 
@@ -233,6 +241,7 @@ MEANINGS: Mapping[str, Callable[[Document, Attributes], Close | None]] = {
     "sentence": _sentence,
     "break": _break,
     "mark": _mark,
+    "emotion": _emotion,
     "emphasis": _emphasis,
     "prosody": _prosody,
     "sub": _sub,

@@ -9,7 +9,8 @@ from functools import cache, lru_cache
 
 from scorebreath.errors import did_you_mean
 from scorebreath.parameters.states import STATES
-from scorebreath.script.marks import Act, ActName, Mark, NamedMark, NoBreath, StateMark, VoiceMark
+from scorebreath.script import emotions
+from scorebreath.script.marks import Act, ActName, EmotionMark, Mark, NamedMark, NoBreath, StateMark, VoiceMark
 from scorebreath.script.markup.quantities import LONGEST_PAUSE, LONGEST_RAMP, seconds, share
 
 HOLD = 0.5
@@ -94,6 +95,17 @@ def _state(rest: str, written: str) -> Mark | str:
     return _state_mark(name, words[1:], written)
 
 
+def _emotion(rest: str, written: str) -> Mark | str:
+    words = _WORD.findall(rest)
+    name = emotions.named(words[0]) if words else None
+    if name is None:
+        return f"an emotion: [emotion NAME [INTENSITY]] with {emotions.expected(words[0] if words else '')}"
+    intensity = share(words[1]) if words[1:] else 1.0
+    if intensity is None or words[2:]:
+        return f"[emotion {name} [INTENSITY 0..1]]"
+    return EmotionMark(at=0, written=written, name=name, intensity=intensity)
+
+
 def _state_end(rest: str, written: str) -> Mark | str:
     words = _WORD.findall(rest)
     return _state_mark(NEUTRAL, words, written)
@@ -147,6 +159,7 @@ TAGS = (
     Tag(name="pause", aliases=("pauses",), form="[pause SECONDS]", make=_timed("pause", None)),
     Tag(name="no-breath", aliases=("no_breath", "nobreath"), form="[no-breath]", make=_no_breath),
     Tag(name="state", form="[state NAME [INTENSITY] [over SECONDS] [hold]]", make=_state),
+    Tag(name="emotion", form="[emotion NAME [INTENSITY]]", make=_emotion),
     Tag(name="/state", form="[/state]", make=_state_end),
     Tag(name="mark", form="[mark NAME]", make=_named),
     Tag(name="voice", form="[voice NAME]", make=_voice),
