@@ -15,6 +15,8 @@ from scorebreath_cli.commands.compile import compile_
 from scorebreath_cli.commands.curves import curves
 from scorebreath_cli.commands.doctor import doctor
 from scorebreath_cli.commands.explain import explain
+from scorebreath_cli.commands.export import export
+from scorebreath_cli.commands.formats import formats
 from scorebreath_cli.commands.norms import norms
 from scorebreath_cli.commands.params import params
 from scorebreath_cli.commands.presets import presets
@@ -48,6 +50,10 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
         "scorebreath curves --describe --rig muscles",
         "scorebreath curves --describe",
     )),
+    ("export", export, MAKE, (
+        "scorebreath export score.json --to maryxml -o score.xml",
+        "scorebreath export score.json --to curves.csv --fps 30 -o curves.csv",
+    )),
     ("explain", explain, LOOK, (
         "scorebreath explain speech.txt",
         "scorebreath explain speech.txt --model bernardet-2017 --set length_utterance=12",
@@ -72,6 +78,7 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
     )),
     ("voices", voices, LOOK, ("scorebreath voices", "scorebreath render speech.txt -o out --voice espeak:en-us+f3")),
     ("rigs", rigs, LOOK, ("scorebreath rigs", "scorebreath curves --describe --rig arkit")),
+    ("formats", formats, LOOK, ("scorebreath formats", "scorebreath formats --json")),
     ("schema", schema, LOOK, ("scorebreath schema > score.schema.json",)),
     ("doctor", doctor, LOOK, ("scorebreath doctor", "scorebreath doctor --json")),
 )  # fmt: skip

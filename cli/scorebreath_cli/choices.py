@@ -55,9 +55,9 @@ def parts() -> list[str]:
 
 def rigs() -> list[str]:
     """Characters whose shapes are known."""
-    from scorebreath_cli.rigs import rig_names
+    from scorebreath.curves.rigs.table import RIGS
 
-    return list(rig_names())
+    return list(RIGS)
 
 
 def engines() -> list[str]:
@@ -79,11 +79,19 @@ def parameters() -> list[str]:
     return list(Parameters.model_fields)
 
 
+def formats() -> list[str]:
+    """Formats that a score can be written in."""
+    from scorebreath.formats.formats import FORMATS
+
+    return list(FORMATS)
+
+
 CHOICES: Mapping[str, Callable[[], list[str]]] = MappingProxyType(
     {
         kind.__name__: kind
         for kind in (
             models,
+            formats,
             presets,
             voices,
             states,

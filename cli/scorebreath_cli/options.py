@@ -65,6 +65,11 @@ def complete_rigs(incomplete: str) -> list[str]:
     return _names("rigs", incomplete)
 
 
+def complete_formats(incomplete: str) -> list[str]:
+    """Formats that a score can be written in."""
+    return _names("formats", incomplete)
+
+
 def complete_engines(incomplete: str) -> list[str]:
     """Sound engines."""
     return _names("engines", incomplete)

@@ -9,7 +9,7 @@ import typer
 
 from scorebreath_cli import options as o
 from scorebreath_cli import printers
-from scorebreath_cli.failures import Status, reporting
+from scorebreath_cli.failures import reporting
 
 if TYPE_CHECKING:
     from scorebreath.formats.formats import ExportOptions, Format
@@ -63,6 +63,7 @@ def curves(
     """
     with reporting(lambda: printers.make(json_lines, score or ""), debug=debug) as printer:
         from scorebreath.errors import InputError
+        from scorebreath_cli.exporting import write_as
 
         if describe:
             _describe(printer, rig)
@@ -70,7 +71,7 @@ def curves(
         if score is None:
             raise InputError("SCORE is missing: expected a score, the folder of a take, or - for stdin")
         form, choice = _chosen(rig, kind, output, fps=fps, keys=keys, gate=closure_gate, degrees=degrees, body=body)
-        _write(printer, score, output, form, choice, force=force, json_lines=json_lines)
+        write_as(printer, score, output, form, choice, force=force, json_lines=json_lines)
 
 
 def _describe(printer: Printer, rig: str | None) -> None:
@@ -120,33 +121,3 @@ def _chosen(
     if wanted == "fap" and rate.denominator != 1:
         raise InputError(f"--fps {fps}: must be a whole number in a .fap file, such as 25 or 60")
     return form, ExportOptions(fps=rate, body=body, closure_gate=gate, keys=keys, degrees=degrees)
-
-
-def _write(
-    printer: Printer, given: str, output: str, form: Format, choice: ExportOptions, *, force: bool, json_lines: bool
-) -> None:
-    import sys
-
-    from scorebreath.errors import InputError
-    from scorebreath_cli.inputs import load_score, read_source
-    from scorebreath_cli.outputs import STANDARD, behind, refuse_existing, refuse_own_input, staged_file
-    from scorebreath_cli.streams import check_stdout
-
-    path = behind(Path(output))
-    if output == STANDARD and json_lines:
-        raise InputError("--json tells its events on stdout, where -o - would put the curves; use -o FILE")
-    if output == STANDARD:
-        check_stdout()
-    else:
-        refuse_own_input(given, [path])
-        refuse_existing(path.parent, (path.name,), force=force)
-
-    score, _ = load_score(read_source(given))
-    if output == STANDARD:
-        form.write(sys.stdout.buffer, score, choice)
-        return
-    printer.started(given, output)
-    with staged_file(path) as part, part.open("wb") as stream:
-        form.write(stream, score, choice)
-    printer.written(str(path), path.stat().st_size)
-    printer.done(Status.DONE)

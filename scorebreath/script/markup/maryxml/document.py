@@ -9,6 +9,10 @@ from scorebreath.script.markup.maryxml.tokens import PART, is_word, spaces
 from scorebreath.script.markup.meaning import Document
 from scorebreath.script.told import NO_ACCENT, Told
 
+SENTENCE = 5
+"""Break index from which on a boundary ends a sentence."""
+BREATH = 1.2
+"""s that a sentence's end takes by itself, with a breath: only what is told beyond it is asked for."""
 PHRASE = 4
 """Break index of a phrase's end that tells none of its own: an intonational phrase."""
 
@@ -47,6 +51,8 @@ class MaryDocument(Document):
     """the last letter behind which a boundary is told"""
     implied: int = -1
     """the last letter of a phrase that has just ended without telling how; -1: none"""
+    parted: bool = False
+    """whether a boundary was the last thing, so that what comes next is another word"""
     glued: bool = False
     """whether what comes next has no space before it"""
     quoted: bool = False
@@ -60,8 +66,8 @@ class MaryDocument(Document):
             if is_word(text):
                 self._begin()
                 self.raw = True
-            self._say(text)
-            self.glued = False
+            self._say(f" {text}" if self.parted and text[0].isalnum() else text)
+            self.glued = self.parted = False
 
     def close_token(self) -> None:
         """Say a token, and keep what is told of it."""
@@ -112,8 +118,10 @@ class MaryDocument(Document):
         if self.last >= 0 and (break_index is not None or tone or pause):
             self.found.append((self.last, Told(break_index=break_index, tone=tone, pause=pause)))
             self.bounded, self.implied = self.last, -1
-        if pause:
-            self.writer.mark(Act(at=0, written=written, name="pause", seconds=pause))
+        self.parted = True
+        asked = round((pause or 0.0) - (BREATH if (break_index or 0) >= SENTENCE else 0.0), 6)
+        if asked > 0.0:
+            self.writer.mark(Act(at=0, written=written, name="pause", seconds=asked))
 
     def end_phrase(self, began: int) -> None:
         """A phrase ends that began when `began` was the last letter."""
