@@ -5,10 +5,11 @@ from __future__ import annotations
 from fractions import Fraction
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scorebreath.curves.curve_set import CurveSet
 from scorebreath.curves.tracks import Array
-from scorebreath.units import GRID
+from scorebreath.units import GRID, snap_array
 
 
 def key_times(curve_set: CurveSet, duration: float, fps: Fraction) -> Array:
@@ -24,4 +25,22 @@ def key_times(curve_set: CurveSet, duration: float, fps: Fraction) -> Array:
         beside them on the grid.
     """
     count = round(duration * GRID) * fps.numerator // (GRID * fps.denominator) + 1
-    return np.asarray(np.arange(count) * fps.denominator / fps.numerator)
+    frames = np.asarray(np.arange(count) * fps.denominator / fps.numerator)
+    lips = curve_set.sources.lips
+    edges = [lips.closures.begin, lips.closures.end, lips.tucks.begin, lips.tucks.end]
+    added = snap_array(np.concatenate([*edges, _missed(lips.string.phone, fps)]))
+    added = np.unique(added[(added >= 0.0) & (added <= duration)])
+    beside = added[~np.isin(_micros(added), _micros(frames))]
+    return np.sort(np.concatenate([frames, beside]))
+
+
+def _missed(phones: Array, fps: Fraction) -> Array:
+    """Middles of the phones into which no frame falls."""
+    start, end = phones[:, 0], phones[:, 1]
+    frame = np.ceil(start * fps.numerator / fps.denominator) * fps.denominator / fps.numerator
+    without = frame >= end
+    return np.asarray(((start + end) / 2)[without])
+
+
+def _micros(times: Array) -> NDArray[np.int64]:
+    return np.floor(times * GRID + 0.5).astype(np.int64)

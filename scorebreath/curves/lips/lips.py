@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from scorebreath.curves.lips.gates import Gate, gate
+from scorebreath.curves.lips.handover import NOTHING, Handover, handover
 from scorebreath.curves.lips.strings import GONE, WHOLE, PhoneString, phone_string
 from scorebreath.curves.lips.targets import CLOSE, JAW, LIP_CHANNELS, TUCK, targets
+from scorebreath.curves.nose_and_mouth import face_shape
 from scorebreath.curves.tracks import Array, Index, track
 from scorebreath.equations.dominance import dominance
 from scorebreath.score.document import Score
-from scorebreath.score.events import Utterance
+from scorebreath.score.events import Expiration, Inspiration, Utterance
 from scorebreath.units import GRID
 
 __all__ = ["LIP_CHANNELS", "Lips", "lips"]
@@ -41,6 +43,8 @@ class Lips:
     """p, b, m"""
     tucks: Gate
     """f, v"""
+    handover: Handover
+    """from the breath's mouth"""
 
     def sample(self, times: Array, mouth_open: Array, *, closure_gate: bool = True) -> Array:
         """Values of LIP_CHANNELS.
@@ -58,6 +62,7 @@ class Lips:
             return values
         for first in range(0, len(times), BLOCK):
             self._blend(times[first : first + BLOCK], values[first : first + BLOCK])
+        np.maximum(values[:, JAW], self.handover.sample(times), out=values[:, JAW])
         if closure_gate:
             np.maximum(values[:, CLOSE], self.closures.sample(times), out=values[:, CLOSE])
             np.maximum(values[:, TUCK], self.tucks.sample(times), out=values[:, TUCK])
@@ -126,9 +131,10 @@ def lips(score: Score, body: str) -> Lips:
     Raises:
         ScoreError: Two utterances overlap, or phones do, or a phone leaves its utterance.
     """
-    string = phone_string(track([said for said in score.of(Utterance, body) if said.phones], "utterances"))
+    spoken = track([said for said in score.of(Utterance, body) if said.phones], "utterances")
+    string = phone_string(spoken)
     table = targets()
-    return Lips(
+    alone = Lips(
         string=string,
         alpha=table.alpha[string.row],
         asked=(table.alpha * table.target)[string.row],
@@ -136,4 +142,9 @@ def lips(score: Score, body: str) -> Lips:
         after=table.after[string.row],
         closures=gate(string, "lip_close"),
         tucks=gate(string, "lip_tuck"),
+        handover=NOTHING,
     )
+    breaths = [e for e in score.events if isinstance(e, Inspiration | Expiration) and e.body == body]
+    jaw = alone.sample(spoken.start, np.zeros(spoken.start.shape), closure_gate=False)[:, JAW]
+    before = np.concatenate([[-np.inf], spoken.end])[: len(spoken.end)]
+    return replace(alone, handover=handover(face_shape(breaths, "mouth"), spoken.start, before, jaw))
