@@ -11,7 +11,8 @@ from scorebreath.score.document import Score
 from scorebreath.score.event import Profile
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Lead, Motion, Noise, Trapezoid
 from scorebreath.units import snap
-from tests.curves.scores import REST, score_of
+from tests.curves.faces import face_events
+from tests.curves.scores import REST, on_grid, score_of
 
 INSPIRATIONS: tuple[str, ...] = get_args(get_type_hints(Inspiration)["kind"])
 EXPIRATIONS: tuple[str, ...] = get_args(get_type_hints(Expiration)["kind"])
@@ -63,14 +64,10 @@ def keep(**given: object) -> Hold:
     return Hold(**plain | given)  # type: ignore[arg-type]
 
 
-def _on_grid(low: float, high: float) -> st.SearchStrategy[float]:
-    return st.integers(round(low * 1e6), round(high * 1e6)).map(lambda n: n / 1e6)
-
-
 _envelopes: st.SearchStrategy[Literal["trapezoid", "flow"]] = st.sampled_from(["trapezoid", "flow"])
 _motions = st.builds(
-    Motion, thorax=_on_grid(0, 2), abdomen=_on_grid(0, 2), shoulder=_on_grid(0, 1), neck_pitch=_on_grid(-5, 9),
-    tremor=st.just(0.0) | _on_grid(0, 0.3),
+    Motion, thorax=on_grid(0, 2), abdomen=on_grid(0, 2), shoulder=on_grid(0, 1), neck_pitch=on_grid(-5, 9),
+    tremor=st.just(0.0) | on_grid(0, 0.3),
 )  # fmt: skip
 
 
@@ -85,7 +82,7 @@ class _Body:
 
     def turn(self, draw: st.DrawFn) -> None:
         """What the volume moves becomes another."""
-        self.share, self.motion = draw(_on_grid(0, 1)), draw(_motions)
+        self.share, self.motion = draw(on_grid(0, 1)), draw(_motions)
 
     def place(self, event: Event, volume: float) -> Event:
         self.time, self.volume = snap(event.end), volume
@@ -94,8 +91,11 @@ class _Body:
 
 @st.composite
 def performances(draw: st.DrawFn, most: int = 6) -> Score:
-    """A Score in which a body breathes in every way there is, without a gap, and ends at its resting volume."""
-    body = _Body(0.0, REST, draw(_on_grid(0, 1)), draw(_motions))
+    """A Score in which a body breathes in every way there is, without a gap, and ends at its resting volume.
+
+    Its face moves meanwhile.
+    """
+    body = _Body(0.0, REST, draw(on_grid(0, 1)), draw(_motions))
     events: list[Event] = []
     for number in range(draw(st.integers(1, most))):
         if draw(st.integers(0, 3)) == 0:
@@ -106,39 +106,40 @@ def performances(draw: st.DrawFn, most: int = 6) -> Score:
         events.append(_draw_out(draw, body, "last", REST))
     elif body.volume < REST:
         events.append(_draw_in(draw, body, "last", REST))
-    return score_of(events, duration=snap(body.time + 0.3))
+    events += draw(face_events(body.time))
+    return score_of(events, duration=snap(max(event.end for event in events) + 0.3))
 
 
 def _draw_in(draw: st.DrawFn, body: _Body, name: str, to: float | None = None) -> Event:
-    to = draw(_on_grid(body.volume + 0.01, 0.95)) if to is None and body.volume < 0.9 else to
+    to = draw(on_grid(body.volume + 0.01, 0.95)) if to is None and body.volume < 0.9 else to
     if to is None:
         return _draw_out(draw, body, name)
     body.turn(draw)
-    length, envelope = draw(_on_grid(0.3, 2.5)), draw(_envelopes)
+    length, envelope = draw(on_grid(0.3, 2.5)), draw(_envelopes)
     event = breathe_in(
         id=name, onset=body.time, duration=length, kind=draw(st.sampled_from(INSPIRATIONS)), from_volume=body.volume,
-        to_volume=to, profile=draw(st.sampled_from(PROFILES)), peak=draw(_on_grid(0.2, 0.8)),
-        saccades=draw(st.integers(1, 4)), thorax_share=body.share, motion=body.motion, sound_nose=draw(_on_grid(0, 1)),
-        sound_mouth=draw(_on_grid(0, 1)), nostril_flare=draw(_on_grid(0, 1)), mouth_open=draw(_on_grid(0, 1)),
-        lead=Lead(mouth=draw(_on_grid(0, 0.5)), nostril=draw(_on_grid(0, 0.5))),
+        to_volume=to, profile=draw(st.sampled_from(PROFILES)), peak=draw(on_grid(0.2, 0.8)),
+        saccades=draw(st.integers(1, 4)), thorax_share=body.share, motion=body.motion, sound_nose=draw(on_grid(0, 1)),
+        sound_mouth=draw(on_grid(0, 1)), nostril_flare=draw(on_grid(0, 1)), mouth_open=draw(on_grid(0, 1)),
+        lead=Lead(mouth=draw(on_grid(0, 0.5)), nostril=draw(on_grid(0, 0.5))),
         noise=noise_of(length, envelope) if draw(st.booleans()) else None,
     )  # fmt: skip
     return body.place(event, to)
 
 
 def _draw_out(draw: st.DrawFn, body: _Body, name: str, to: float | None = None) -> Event:
-    to = draw(_on_grid(0.15, body.volume - 0.01)) if to is None and body.volume > 0.2 else to
+    to = draw(on_grid(0.15, body.volume - 0.01)) if to is None and body.volume > 0.2 else to
     if to is None:
         return _draw_in(draw, body, name)
-    length, envelope = draw(_on_grid(0.5, 4.0)), draw(_envelopes)
+    length, envelope = draw(on_grid(0.5, 4.0)), draw(_envelopes)
     count = draw(st.integers(1, 8))
     gap = length / count
-    puffs = tuple(snap(draw(_on_grid(0, 0.3)) * gap + k * gap) for k in range(count)) if draw(st.booleans()) else ()
+    puffs = tuple(snap(draw(on_grid(0, 0.3)) * gap + k * gap) for k in range(count)) if draw(st.booleans()) else ()
     event = breathe_out(
         id=name, onset=body.time, duration=length, kind="laugh" if puffs else draw(st.sampled_from(EXPIRATIONS)),
-        from_volume=body.volume, to_volume=to, profile=draw(st.sampled_from(PROFILES)), peak=draw(_on_grid(0.2, 0.8)),
-        thorax_share=body.share, motion=body.motion, sound_nose=draw(_on_grid(0, 1)), sound_mouth=draw(_on_grid(0, 1)),
-        nostril_flare=draw(_on_grid(0, 1)), mouth_open=draw(_on_grid(0, 1)), puffs=puffs,
+        from_volume=body.volume, to_volume=to, profile=draw(st.sampled_from(PROFILES)), peak=draw(on_grid(0.2, 0.8)),
+        thorax_share=body.share, motion=body.motion, sound_nose=draw(on_grid(0, 1)), sound_mouth=draw(on_grid(0, 1)),
+        nostril_flare=draw(on_grid(0, 1)), mouth_open=draw(on_grid(0, 1)), puffs=puffs,
         face=face_of(length) if draw(st.booleans()) else None,
         noise=noise_of(0.5 * gap if puffs else length, envelope) if draw(st.booleans()) else None,
     )  # fmt: skip
@@ -146,7 +147,7 @@ def _draw_out(draw: st.DrawFn, body: _Body, name: str, to: float | None = None) 
 
 
 def _draw_hold(draw: st.DrawFn, body: _Body, name: str) -> Event:
-    length = draw(_on_grid(0.05, 1.5))
+    length = draw(on_grid(0.05, 1.5))
     event = keep(
         id=name, onset=body.time, duration=length, kind=draw(st.sampled_from(["rest", "held"])), volume=body.volume,
         thorax_share=body.share, motion=body.motion, noise=noise_of(length) if draw(st.booleans()) else None,

@@ -212,28 +212,29 @@ def _hold(breath: Breath, id: str, group: str, onset: float, duration: float, vo
     )  # fmt: skip
 
 
-def _on_grid(low: float, high: float) -> st.SearchStrategy[float]:
+def on_grid(low: float, high: float) -> st.SearchStrategy[float]:
+    """Numbers that a Score may hold."""
     return st.integers(round(low * 1e6), round(high * 1e6)).map(lambda n: n / 1e6)
 
 
 def breaths(**fixed: object) -> st.SearchStrategy[Breath]:
     """Any breath whose numbers are on the grid; `fixed` fields are as given."""
     drawn: dict[str, st.SearchStrategy[object]] = {
-        "before": st.sampled_from([0.0, 0.08]) | _on_grid(0.01, 1.0),
-        "inspiration": _on_grid(0.05, 2.0),
-        "after": st.sampled_from([0.0, 0.06]) | _on_grid(0.01, 0.3),
-        "speech": _on_grid(0.1, 6.0),
-        "to_volume": _on_grid(0.4, 0.95),
-        "end_volume": _on_grid(0.2, 0.5),
-        "share": _on_grid(0.0, 1.0),
+        "before": st.sampled_from([0.0, 0.08]) | on_grid(0.01, 1.0),
+        "inspiration": on_grid(0.05, 2.0),
+        "after": st.sampled_from([0.0, 0.06]) | on_grid(0.01, 0.3),
+        "speech": on_grid(0.1, 6.0),
+        "to_volume": on_grid(0.4, 0.95),
+        "end_volume": on_grid(0.2, 0.5),
+        "share": on_grid(0.0, 1.0),
         "motion": st.builds(
-            Motion, thorax=_on_grid(0, 4), abdomen=_on_grid(0, 4), shoulder=_on_grid(0, 2), neck_pitch=_on_grid(-10, 20)
+            Motion, thorax=on_grid(0, 4), abdomen=on_grid(0, 4), shoulder=on_grid(0, 2), neck_pitch=on_grid(-10, 20)
         ),
         "profile": st.sampled_from(["linear", "sine"]),
-        "nose": _on_grid(0, 1),
-        "mouth": _on_grid(0, 1),
-        "lead_mouth": st.just(0.0) | _on_grid(0, 0.5),
-        "lead_nostril": st.just(0.0) | _on_grid(0, 0.5),
+        "nose": on_grid(0, 1),
+        "mouth": on_grid(0, 1),
+        "lead_mouth": st.just(0.0) | on_grid(0, 0.5),
+        "lead_nostril": st.just(0.0) | on_grid(0, 0.5),
     }
     drawn |= {name: st.just(value) for name, value in fixed.items()}
     return st.builds(Breath, **drawn)

@@ -8,6 +8,7 @@ import json
 import math
 from collections.abc import Callable
 from fractions import Fraction
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -129,9 +130,14 @@ def test_the_table_of_formats(name: str) -> None:
     if row.suffix == ".csv":
         table = list(csv.reader(io.StringIO(text)))
         assert len(table) > 2 and len({len(cells) for cells in table}) == 1
+    elif row.suffix == ".json":
+        assert json.loads(text)["schema"]
+    elif row.suffix == ".xml":
+        assert ElementTree.fromstring(text).tag
     else:
-        assert row.suffix == ".json" and json.loads(text)["schema"]
-    assert row.name == name and row.name.endswith(row.suffix) and row.what
+        assert row.suffix == ".fap" and text.startswith("2.1 ")
+    assert row.name == name and row.what
+    assert row.suffix == ".xml" or row.name.endswith(row.suffix)
 
 
 def test_an_unknown_format_is_refused_with_the_known_ones() -> None:
