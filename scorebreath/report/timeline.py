@@ -1,5 +1,7 @@
 """`timeline.png`: the papers' Figure 4 for one Score: lung volume, speech and breath sound, words, group limits (B14).
 
+Below them stands what the face does, where it does anything.
+
 Time runs in rows, most of them begun with a breath. A long Score shows its first rows in detail and all of itself in a
 strip above them, so that a picture takes about as long to draw whatever the text.
 """
@@ -7,54 +9,39 @@ strip above them, so that a picture takes about as long to draw whatever the tex
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import BinaryIO
 
 import numpy as np
 
 from scorebreath.curves.curve_set import CurveSet
 from scorebreath.report.acts import Act, acts
+from scorebreath.report.bands import FAINT, FILL, HAIR, INK, PAPER, Band
+from scorebreath.report.face_lanes import HEIGHT, FaceLanes, has_face
 from scorebreath.report.rows import Breath, Row, breaths, clock, groups_counted, place, wrap
-from scorebreath.report.sheet import Points, Sheet
+from scorebreath.report.sheet import Sheet
 from scorebreath.score.document import Score
 from scorebreath.score.events import Inspiration, Utterance
 
-MOST_ROWS, ROW_SECONDS, SHORTEST_ROW = 8, 15.0, 5.0
+MOST_ROWS, MOST_FACED_ROWS, ROW_SECONDS, SHORTEST_ROW = 8, 5, 15.0, 5.0
+"""A row with a face is higher: fewer of them make a picture of about the same size."""
 WIDTH, LEFT, RIGHT = 2400, 130, 60
 HEADER, STRIP, ROW = 130, 160, 425
 """pixels"""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Band:
-    """A horizontal part of a row, from the value at its bottom to the value at its top."""
-
-    top: float
-    """pixels from the row's top"""
-    bottom: float
-    low: float
-    high: float
-
-    def y(self, value: Points | float) -> Points:
-        """Pixels from the row's top; values beyond the band stay at its edge."""
-        share = (np.clip(value, self.low, self.high) - self.low) / (self.high - self.low)
-        return np.asarray(self.bottom - share * (self.bottom - self.top), dtype=np.float64)
-
-
 SOUND = Band(top=214, bottom=304, low=-50.0, high=8.0)
 """dB relative to the voice's reference"""
 LUNG_TOP, LUNG_BOTTOM, STRIP_TOP, STRIP_BOTTOM = 56, 196, 10, 100
-LABEL, WORDS, WORD_LINE, WORD_LINES, WORD_SIZE = 38, 350, 24, 3, 19
+LABEL, WORDS, WORD_LINE, WORD_LINES, WORD_SIZE, FACE = 38, 350, 24, 3, 19, 408
 
-INK, FAINT, HAIR, PAPER, DETAIL = "#1b2430", "#66717e", "#d9dee4", "#ffffff", "#f1f4f8"
-FILL, INSPIRED = "#e6ebf1", "#c9e0f2"
+DETAIL, INSPIRED = "#f1f4f8", "#c9e0f2"
 SPEECH, BREATH = "#3b8fc4", "#d55e00"
 """A blue and the vermilion of Okabe and Ito's palette: no colour vision mistakes one for the other."""
 LEGEND = (("breath sound", BREATH), ("speech sound", SPEECH), ("breathing in", INSPIRED), ("lung volume", INK))
 
 
 def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
-    """Draw a Score as PNG, 2400 pixels wide and at most 3690 high.
+    """Draw a Score as PNG, 2400 pixels wide and at most 4065 high.
 
     Args:
         stream: Takes bytes.
@@ -63,15 +50,22 @@ def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
     """
     groups, done = breaths(score, curve_set.body), acts(score, curve_set.body)
     longest = min(ROW_SECONDS, max(SHORTEST_ROW, score.duration))
-    rows = wrap(score.duration, [group.onset for group in groups], longest, MOST_ROWS)
+    faced = has_face(score, curve_set.body)
+    most, high = (MOST_FACED_ROWS, ROW + HEIGHT) if faced else (MOST_ROWS, ROW)
+    rows = wrap(score.duration, [group.onset for group in groups], longest, most)
+    face = FaceLanes(score, curve_set, rows) if faced else None
     partial = rows[-1].end < score.duration
     top = HEADER + (STRIP if partial else 0)
-    sheet = Sheet(WIDTH, top + ROW * len(rows), PAPER)
+    sheet = Sheet(WIDTH, top + high * len(rows), PAPER)
     _header(sheet, score, curve_set, groups, rows)
     if partial:
         _strip(sheet, curve_set, rows)
+    rate = (WIDTH - LEFT - RIGHT) / longest
     for number, row in enumerate(rows):
-        _Row(sheet, curve_set, top + ROW * number, row, (WIDTH - LEFT - RIGHT) / longest).draw(score, groups, done)
+        above = top + high * number
+        _Row(sheet, curve_set, above, row, rate).draw(score, groups, done)
+        if face:
+            face.draw(sheet, row, LEFT, above + FACE, rate)
     sheet.png(stream)
 
 

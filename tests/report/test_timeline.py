@@ -13,6 +13,7 @@ from PIL import Image, ImageColor
 
 from scorebreath.curves.curve_set import curves
 from scorebreath.report import timeline
+from scorebreath.report.bands import INK
 from scorebreath.report.rows import breaths, wrap
 from scorebreath.report.sheet import Sheet
 from scorebreath.score.document import Score
@@ -66,7 +67,7 @@ def test_speech_begins_and_ends_to_the_pixel() -> None:
 def test_the_line_is_the_lung_volume() -> None:
     score = build([Breath(before=0.5, inspiration=1.0, after=0.5, speech=3.0, to_volume=0.7)], tail=1.0)
     lung = pixels(draw(score))[timeline.HEADER + timeline.LUNG_TOP - 4 : timeline.HEADER + timeline.LUNG_BOTTOM]
-    ink = np.array(ImageColor.getrgb(timeline.INK))
+    ink = np.array(ImageColor.getrgb(INK))
     for time in (0.8, 1.2, 1.75, 2.5, 4.0):
         found = np.flatnonzero(np.all(lung[:, column(time, 6.0)] == ink, axis=-1)).mean() - 4
         volume = curves(score).sample([time], ["lung_volume"])[0, 0]
@@ -84,7 +85,7 @@ def test_a_long_score_is_shown_whole_in_a_strip_and_its_beginning_in_detail() ->
     assert len(png) < 3_000_000
     strip = pixels(png)[timeline.HEADER : timeline.HEADER + timeline.STRIP_BOTTOM]
     ends = timeline.LEFT + 5, timeline.WIDTH - timeline.RIGHT - 8
-    assert all(has(strip[:, x : x + 4], timeline.INK) for x in ends)
+    assert all(has(strip[:, x : x + 4], INK) for x in ends)
     shown = wrap(hour.duration, [b.onset for b in breaths(hour, "body")], timeline.ROW_SECONDS, timeline.MOST_ROWS)
     assert shown[-1].end < 150
     share = round(timeline.LEFT + (timeline.WIDTH - timeline.LEFT - timeline.RIGHT) * shown[-1].end / hour.duration)
