@@ -54,10 +54,11 @@ def extrema(utterance: Utterance) -> tuple[Extremum, ...]:
         At most one maximum for an accented syllable; empty where nothing is voiced.
     """
     hertz = np.asarray(utterance.pitch.hertz)
-    if not (hertz > 0).any():
+    voiced = hertz > 0
+    if not voiced.any():
         return ()
-    step = utterance.pitch.step
-    heights = melody(hertz, step) - 12.0 * np.log2(np.percentile(hertz[hertz > 0], LOW))
+    heights = melody(hertz, utterance.pitch.step)
+    heights -= np.percentile(heights[voiced], LOW)
     corners = stylise(heights)
     accented = _accented(utterance)
     peaks: dict[tuple[float, float] | int, Extremum] = {}

@@ -11,19 +11,23 @@ TOLERANCE = 2.0
 """Semitones that a stylised contour may miss the melody by: Praat's own default for stylising pitch."""
 OCTAVE = 12.0
 """Semitones."""
-STRAY = 7.0
-"""Semitones from the melody around it, beyond which a value is an error of the tracker rather than a movement."""
+STRAY = 8.0
+"""Semitones from the melody around it, beyond which a value is an error of the tracker (an octave, a twelfth) rather
+than a movement."""
 AROUND = 0.4
 """s of voiced speech, the value in its middle, whose median is the melody around it."""
 SMOOTHED = 0.02
 """s over which the melody is averaged. More takes away accents: with 0.05 s, a tenth of the turns is lost."""
 
+BLOCK = 4096
+"""Values whose medians are looked for together."""
+
 
 def melody(hertz: NDArray[Any], step: float) -> NDArray[np.float64]:
     """Pitch without gaps.
 
-    Values an octave off are taken back, others that stray are left out, and unvoiced stretches are crossed in a
-    straight line; before the first voiced value and behind the last one it stays where it is.
+    Values that stray are left out; they and unvoiced stretches are crossed in a straight line. Before the first voiced
+    value and behind the last one it stays where it is.
 
     Args:
         hertz: (n,) Hz; 0 where unvoiced.
@@ -41,9 +45,9 @@ def melody(hertz: NDArray[Any], step: float) -> NDArray[np.float64]:
         return np.zeros(hertz.size)
     found = OCTAVE * np.log2(hertz[places])
     around = _running_median(found, round(AROUND / step))
-    off = found - around
-    found = found - np.where(np.abs(off) > STRAY, OCTAVE * np.round(off / OCTAVE), 0.0)
     kept = np.abs(found - around) <= STRAY
+    if not kept.any():  # two values far apart: their median is neither
+        kept[:] = True
     whole = np.interp(np.arange(hertz.size), places[kept], found[kept])
     return _averaged(whole, round(SMOOTHED / step))
 
@@ -96,11 +100,12 @@ def _worst(values: NDArray[np.float64], first: int, last: int) -> tuple[int, flo
 
 
 def _running_median(values: NDArray[np.float64], width: int) -> NDArray[np.float64]:
-    """Median of the values around each, fewer at the ends."""
+    """Median of the values around each, fewer at the ends; in blocks, so that memory stays bounded."""
     half = max(1, width // 2)
     padded = np.pad(values, half, constant_values=np.nan)
     windows = np.lib.stride_tricks.sliding_window_view(padded, 2 * half + 1)
-    return np.asarray(np.nanmedian(windows, axis=1))
+    blocks = (np.nanmedian(windows[at : at + BLOCK], axis=1) for at in range(0, values.size, BLOCK))
+    return np.concatenate([*blocks])
 
 
 def _averaged(values: NDArray[np.float64], width: int) -> NDArray[np.float64]:
