@@ -17,7 +17,9 @@ Markup = Literal["auto", "tags", "ssml", "maryxml", "none"]
 
 _XML = re.compile(r"\s*+<(?:speak[\s/>]|\?xml\s|!DOCTYPE\s)")
 _COMMENT = re.compile(r"\s*+<!--")
-_BEFORE_ROOT = re.compile(r"\s*+(?:<\?.*?\?>|<!--.*?-->|<!DOCTYPE(?:[^>\"']|\"[^\"]*\"|'[^']*')*+>)", re.DOTALL)
+_BEFORE_ROOT = re.compile(
+    r"\s*+(?:<\?.*?\?>|<!--.*?-->|<!DOCTYPE(?:[^>\[\"']|\"[^\"]*\"|'[^']*')*+(?:\[.*?\]\s*)?>)", re.DOTALL
+)
 _MARYXML = re.compile(r"\s*+<maryxml[\s/>]")
 
 

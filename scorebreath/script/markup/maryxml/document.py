@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from scorebreath.script.marks import Act
-from scorebreath.script.markup.maryxml.tokens import PART, is_word, spaces
+from scorebreath.script.markup.maryxml.tokens import PART, is_word, opens, spaces
 from scorebreath.script.markup.meaning import Document
 from scorebreath.script.told import NO_ACCENT, Told
 
@@ -67,7 +67,7 @@ class MaryDocument(Document):
                 self._begin()
                 self.raw = True
             self._say(f" {text}" if self.parted and text[0].isalnum() else text)
-            self.glued = self.parted = False
+            self.glued, self.parted = opens(text), False
 
     def close_token(self) -> None:
         """Say a token, and keep what is told of it."""

@@ -12,6 +12,7 @@ _ENCLITIC = re.compile(r"(?:['’](?:s|m|re|ve|ll|d|t)|n['’]t)", re.IGNORECASE
 _CLOSING = re.compile(r"[.,;:!?…‥)\]}”’。，、！？；]+[\"'»”’)]*")
 _OPENING = frozenset("([{‚„‘¿¡")
 _QUOTES = frozenset("\"'“«»‹›")
+_OPENED = re.compile(r"(?:\A|\s)[(\[{‚„‘“«»\"'¿¡]+\Z")
 PART = re.compile(r"[^\W_]+")
 """What of a token may become a word of its own: a compound is cut behind its hyphen."""
 
@@ -40,3 +41,12 @@ def spaces(token: str, quoted: bool) -> tuple[Side, bool]:
     if token in _QUOTES:
         return ("behind", False) if quoted else ("before", True)
     return "both", quoted
+
+
+def opens(text: str) -> bool:
+    """Whether text between tokens ends with what opens something, so that the next token stands close to it.
+
+    >>> opens('he said "'), opens("he said "), opens('said"')
+    (True, False, False)
+    """
+    return _OPENED.search(text) is not None
