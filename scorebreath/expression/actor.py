@@ -55,8 +55,8 @@ class Actor:
         """Both lids close, stay and open, in so many seconds each."""
         close, hold, open_ = (snap(part) for part in parts)
         self._add(
-            Blink, "blink", (onset, close + hold + open_), (rule, why), left=snap(closed), right=snap(closed), close=close,
-            hold=hold, open=open_,
+            Blink, "blink", (onset, close + hold + open_), (rule, why), left=snap(closed), right=snap(closed),
+            close=close, hold=hold, open=open_,
         )  # fmt: skip
 
     def brow(self, times: tuple[float, float, float, float], shape: Sequence[float], rule: str, why: str) -> None:
@@ -64,8 +64,8 @@ class Actor:
         onset, apex, back, end = (snap(time) for time in times)
         left, right, frown = (snap(min(1.0, max(0.0, value))) for value in shape)
         self._add(
-            Brow, "brow", (onset, end - onset), (rule, why), left=left, right=right, frown=frown, apex=snap(apex - onset),
-            hold=snap(back - apex),
+            Brow, "brow", (onset, end - onset), (rule, why), left=left, right=right, frown=frown,
+            apex=snap(apex - onset), hold=snap(back - apex),
         )  # fmt: skip
 
     def head(self, times: tuple[float, float, float, float], pitch: float, roll: float, rule: str, why: str) -> None:

@@ -18,8 +18,8 @@ OPEN = (0.12, 0.205)
 """s of opening, from and to."""
 CLOSED = (0.75, 1.0)
 """How far lids close: most blinks are not complete."""
-BETWEEN = 0.06
-"""s from one blink's end to the next, at least; to the second one of two, just so."""
+BETWEEN, AT_ONCE = 0.2, 0.06
+"""s from one blink's end to the next, at least; to the second one of two."""
 LONGEST = CLOSE + HOLD + OPEN[1]
 NUDGE = 0.25
 """s that a blink by itself may be moved to be at a phone's boundary outside stressed vowels."""
@@ -34,19 +34,29 @@ def due(actor: Actor) -> float:
     return actor.memory.blink_due or 0.0
 
 
-def blink(actor: Actor, onset: float, cause: str, why: str = "") -> None:
-    """Blink now, and draw when to do so again."""
+def blink(actor: Actor, onset: float, cause: str, why: str = "", *, scene: Scene | None = None, until: float) -> None:
+    """Blink, some times twice, and draw when to do so again.
+
+    Args:
+        actor: Who blinks.
+        onset: s.
+        cause: One of `RULES`.
+        why: What made it.
+        scene: The group that is being spoken: a second blink keeps to its phones.
+        until: s; a second blink begins before.
+    """
     number = actor.memory.numbers.get("blink", 0)
-    opening, closed, twice, *_ = actor.draws("blink", 5, number)
+    opening, closed, twice = actor.draws("blink", 3, number)
     parts = (CLOSE, HOLD, OPEN[0] + (OPEN[1] - OPEN[0]) * opening)
     actor.blink(onset, parts, CLOSED[0] + (CLOSED[1] - CLOSED[0]) * closed, RULES[cause], why)
-    last, end = onset, onset + sum(parts)
-    again = end + BETWEEN
-    if cause != "double" and twice < actor.face.blink_double and free(actor, again):
-        actor.note(blink_end=end)
-        blink(actor, again, "double")
-        return
-    actor.note(blink_end=end, blink_due=_draw(actor, last, number))
+    end = onset + sum(parts)
+    if cause != "double" and twice < actor.face.blink_double:
+        again = next(iter(scene.between(end + AT_ONCE, end + LONGEST)), None) if scene else end + AT_ONCE
+        actor.note(blink_end=end - BETWEEN)
+        if again is not None and again < until and free(actor, again):
+            blink(actor, again, "double", scene=scene, until=until)
+            return
+    actor.note(blink_end=end, blink_due=_draw(actor, onset, number))
 
 
 def _draw(actor: Actor, since: float, key: object) -> float:
@@ -71,14 +81,14 @@ def speech_blinks(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> No
         if planned and planned[0] <= need + NUDGE:
             at = planned.pop(0)
             if free(actor, at):
-                blink(actor, at, "pause")
+                blink(actor, at, "pause", scene=scene, until=scene.end)
         elif need < scene.end:
             low = max(scene.onset, actor.memory.blink_end + BETWEEN)
             at = _calm(scene, need, low, looks)
             if at >= scene.end:
                 return
             if free(actor, at):
-                blink(actor, at, "need", f"{at - _since(actor, at):.1f} s after the last")
+                blink(actor, at, "need", f"{at - _since(actor, at):.1f} s after the last", scene=scene, until=scene.end)
             else:
                 actor.note(blink_due=_after_wink(actor, at))
         else:
@@ -107,4 +117,6 @@ def _calm(scene: Scene, time: float, low: float, looks: Sequence[float]) -> floa
     if open_ and time >= low and calm(time):
         return time
     near = [edge for edge in scene.between(max(low, time - NUDGE), time + NUDGE) if calm(edge)]
-    return min(near, key=lambda edge: abs(edge - time)) if near else scene.edge(time, low)
+    if near:
+        return min(near, key=lambda edge: abs(edge - time))
+    return next((edge for edge in scene.between(max(low, time), scene.end) if calm(edge)), scene.end)

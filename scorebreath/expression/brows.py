@@ -17,6 +17,8 @@ USUAL = 6.0
 LEFT = (0.43, 1.7)
 """The left brow's least and most, relative to the right one's (physiology 7.5: 0.15 to 0.6 against 0.35)."""
 MINUTE = 60.0
+APART = 0.3
+"""s between two raises at least: closer ones are one."""
 
 
 def brows(actor: Actor, scene: Scene, held: Sequence[tuple[Question, float]], coming: Sequence[float]) -> None:
@@ -39,7 +41,7 @@ def brows(actor: Actor, scene: Scene, held: Sequence[tuple[Question, float]], co
     ahead = sorted([*coming, *(question.onset for question in questions)])
     for onset, what in sorted(raises, key=lambda item: item[0]):
         if isinstance(what, Peak):
-            near = any(-1e-9 < later - onset < actor.face.brow_interval for later in ahead)
+            near = any(-1e-9 < later - onset < _apart(actor) for later in ahead)
             if not near and _rested(actor, onset):
                 _accent(actor, onset, what)
         elif _rested(actor, onset):
@@ -61,13 +63,16 @@ def _rested(actor: Actor, onset: float) -> bool:
     last = actor.memory.raised
     minute = [time for time in last if onset - time < MINUTE]
     limit = actor.face.brow_per_minute
-    return (not last or onset - last[-1] >= actor.face.brow_interval) and len(minute) < limit
+    return (not last or onset - last[-1] >= _apart(actor)) and len(minute) < limit
+
+
+def _apart(actor: Actor) -> float:
+    return max(APART, actor.face.brow_interval)
 
 
 def remember(actor: Actor, onset: float) -> None:
     """Count a raise."""
-    if actor.face.brow_interval > 0 or actor.face.brow_per_minute < MINUTE:
-        actor.note(raised=(*(t for t in actor.memory.raised if onset - t < MINUTE), onset))
+    actor.note(raised=(*(t for t in actor.memory.raised if onset - t < MINUTE), onset))
 
 
 def _accent(actor: Actor, onset: float, peak: Peak) -> None:

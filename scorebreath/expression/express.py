@@ -18,7 +18,7 @@ from scorebreath.expression.coordination import plan_pauses
 from scorebreath.expression.emotion import emotion_events
 from scorebreath.expression.gaze import speech_gaze
 from scorebreath.expression.heads import SETTLE, heads
-from scorebreath.expression.scene import Question, Scene, first_sound, scene, speech
+from scorebreath.expression.scene import Question, Scene, first_sound, last_sound, questions, scene, speech
 from scorebreath.expression.search import search_brows, searches
 from scorebreath.expression.silence import LOOK_AHEAD, Bounds, silence
 from scorebreath.expression.state import FaceState, Placed
@@ -60,10 +60,10 @@ def express(state: FaceState, placed: Placed, *, over: float | None = None) -> t
                 break
             _forward(actor, max(actor.memory.silent, begins - UPBEAT))
             actor.note(silent=None, numbers=MappingProxyType({}), place=waiting[0].place, group=_group(waiting[0]))
-        seen = scene(waiting[0], state.language)
         following = waiting[1] if len(waiting) > 1 else None
-        if following is None and over is None and actor.memory.horizon < seen.end + LOOK_AHEAD:
+        if following is None and over is None and actor.memory.horizon < last_sound(waiting[0]) + LOOK_AHEAD:
             break
+        seen = scene(waiting[0], state.language)
         felt += _emotions(actor, waiting[0], following, over)
         _speak(actor, seen, following, over)
         _forward(actor, seen.end)
@@ -95,7 +95,7 @@ def _speak(actor: Actor, seen: Scene, following: Placed | None, over: float | No
     pauses = plan_pauses(actor, seen)
     found = searches(actor, seen, pauses)
     speech_gaze(actor, seen, pauses, found)
-    later = scene(following, actor.state.language).questions if following else ()
+    later = questions(following) if following else ()
     brows(actor, seen, held, [question.onset for question in later])
     search_brows(actor, found)
     heads(actor, seen, held)

@@ -20,8 +20,10 @@ from scorebreath.expression.search import Search
 
 GLANCE = 0.25
 """s that a glance at the listener lasts, at least."""
-AWAY = 0.3
+AWAY = 0.2
 """s that a look away lasts, at least."""
+SWITCH = 0.3
+"""s between two accented syllables within which the eyes do not both come and go: they share one chance."""
 GUARD = 0.05
 """s around a pitch maximum in which no shift away is under way."""
 ON_TARGET = 1.4
@@ -93,23 +95,61 @@ def speech_gaze(actor: Actor, scene: Scene, pauses: Sequence[PausePlan], searche
             continue
         kept.append(shift)
     for shift, after in zip(kept, [*(s.at for s in kept[1:]), scene.end], strict=True):
-        actor.gaze(after, shift.eyes, shift.target, shift.rule, shift.why)
+        eyes = shift.eyes
+        if shift.target == "listener" and _stressed(scene, shift.at):
+            eyes = nearer(eyes, actor.memory.eyes, 1.0)
+        actor.gaze(after, eyes, shift.target, shift.rule, shift.why)
+
+
+def _stressed(scene: Scene, time: float) -> bool:
+    """Whether eyes that turn then would turn in an accented syllable or at a pitch maximum."""
+    turning = Span(onset=time, end=time + NARROW)
+    if any(peak.time in turning for peak in scene.peaks):
+        return True
+    return any(accent.onset < turning.end and time < accent.end for accent in scene.accents)
 
 
 def _glances(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> list[_Glance]:
     """When the eyes must be at the listener, ascending."""
-    found = [_Glance(onset=span.onset, end=span.end, rule="look at the asked") for span in scene.asking]
+    found = [
+        _Glance(onset=scene.edge(span.onset), end=scene.edge(span.end), rule="look at the asked")
+        for span in scene.asking
+    ]
     found += [
         _Glance(onset=plan.glance, end=max(plan.silence.end, plan.glance + GLANCE), rule="glance at pause")
         for plan in pauses
         if plan.glance is not None
     ]
-    for accent, draw in zip(scene.accents, actor.draws("glance", len(scene.accents)), strict=True):
-        if draw < actor.face.glance_at_accent:
+    chosen = _chosen(actor, scene, [glance for glance in found if glance.rule == "glance at pause"])
+    for number, accent in enumerate(scene.accents):
+        if chosen[number]:
             onset = _before(scene, accent.onset)
             end = scene.edge(max(accent.end, onset + GLANCE), accent.end)
+            if number + 1 < len(chosen) and not chosen[number + 1]:
+                end = scene.edge(accent.end)  # the next one is not for the listener: time to go
             found.append(_Glance(onset=onset, end=end, rule="glance at accent", why=f"on {accent.text!r}"))
     return sorted(found, key=lambda glance: glance.onset)
+
+
+def _chosen(actor: Actor, scene: Scene, pauses: Sequence[_Glance]) -> list[bool]:
+    """For each accented syllable whether it comes with a glance.
+
+    Where the eyes are at the listener anyway, because of a pause just before, it does; the chance of all others is so
+    much lower that their share is what was asked for. Syllables too close for the eyes to come and go share a draw.
+    """
+    draws = actor.draws("glance", len(scene.accents))
+    sure = [
+        accent.onset < scene.onset + NARROW or any(p.onset <= accent.onset < p.end + NARROW for p in pauses)
+        for accent in scene.accents
+    ]
+    others = sure.count(False)
+    chance = (actor.face.glance_at_accent * len(sure) - sure.count(True)) / others if others else 0.0
+    chosen = []
+    for number, accent in enumerate(scene.accents):
+        if number and accent.onset - scene.accents[number - 1].end < SWITCH:
+            draws[number] = draws[number - 1]
+        chosen.append((sure[number] and actor.face.glance_at_accent > 0.0) or draws[number] < chance)
+    return chosen
 
 
 def _before(scene: Scene, time: float) -> float:
@@ -162,9 +202,7 @@ def _leave(scene: Scene, gap: tuple[float, float]) -> float | None:
     """Where in a gap the eyes may leave the listener; None: nowhere."""
     for edge in scene.between(gap[0], gap[1] - AWAY):
         moving = Span(onset=edge - GUARD, end=edge + NARROW + GUARD)
-        if any(peak.time in moving for peak in scene.peaks):
-            continue
-        if not any(accent.onset < edge + NARROW and edge < accent.end for accent in scene.accents):
+        if not any(peak.time in moving for peak in scene.peaks) and not _stressed(scene, edge):
             return edge
     return None
 
@@ -230,7 +268,7 @@ def _at_listener(
             size, angle = actor.draws("nearer", 2, f"{number}.{order}")
             closer = near_listener(actor, size, angle, 0.4)
             found.append(
-                Shift(at=glance.onset, eyes=_nearer(closer, found[-1].eyes), target="listener", rule=glance.rule,
+                Shift(at=glance.onset, eyes=nearer(closer, found[-1].eyes), target="listener", rule=glance.rule,
                       why=glance.why)
             )  # fmt: skip
     for at, draws in _fidgets(actor, scene, run, number, [shift.at for shift in found[1:]]):
@@ -239,9 +277,9 @@ def _at_listener(
     return found
 
 
-def _nearer(eyes: tuple[float, float], than: tuple[float, float]) -> tuple[float, float]:
-    """The point, brought nearer to the listener than another one."""
-    far, limit = math.hypot(*eyes), 0.9 * math.hypot(*than)
+def nearer(eyes: tuple[float, float], than: tuple[float, float], share: float = 0.9) -> tuple[float, float]:
+    """The point, brought as near to the listener as a share of another one's distance."""
+    far, limit = math.hypot(*eyes), share * math.hypot(*than)
     if far <= limit:
         return eyes
     return eyes[0] * limit / far, eyes[1] * limit / far
@@ -262,8 +300,6 @@ def _fidgets(
         at = scene.edge(time)
         if not run.onset + NARROW <= at <= run.end - NARROW or any(abs(at - other) < NARROW for other in taken):
             continue
-        if any(at in accent for accent in scene.accents) or any(
-            abs(at - peak.time) < 2 * GUARD for peak in scene.peaks
-        ):
+        if _stressed(scene, at):
             continue
         found.append((at, (size, angle)))

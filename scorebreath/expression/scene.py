@@ -110,6 +110,20 @@ def first_sound(placed: Placed) -> float | None:
     return min(onsets, default=None)
 
 
+def last_sound(placed: Placed) -> float:
+    """When it ends to speak; it does."""
+    return max(sound.end for utterance in speech(placed) for sound in _sounds(utterance))
+
+
+def questions(placed: Placed) -> tuple[Question, ...]:
+    """Last words of the questions that end in a group."""
+    utterances = speech(placed)
+    sounds = [sound for utterance in utterances for sound in _sounds(utterance)]
+    words = [(word, utterance) for utterance in utterances for word in utterance.words]
+    asking = [each for each in _phrases(placed.events, utterances) if each.sentence_type == "question"]
+    return _questions(asking, words, sounds)
+
+
 def scene(placed: Placed, language: str) -> Scene:
     """Look at a group that speaks."""
     utterances = speech(placed)

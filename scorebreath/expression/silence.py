@@ -13,7 +13,7 @@ from scorebreath.expression.actor import SHORTEST, Actor
 from scorebreath.expression.blinks import BETWEEN, LONGEST, blink, due, free
 from scorebreath.expression.coordination import APART, plan_pause
 from scorebreath.expression.emotion import LONGEST_SILENCE
-from scorebreath.expression.gaze import FIXATION, NARROW, aside, near_listener
+from scorebreath.expression.gaze import FIXATION, NARROW, aside, near_listener, nearer
 from scorebreath.expression.scene import PAUSE, Silence
 
 LOOK_AHEAD = LONGEST_SILENCE
@@ -49,6 +49,10 @@ class Bounds:
         ends = [time for time in (self.speech, self.over) if time is not None]
         return min(ends) if ends else self.horizon - LOOK_AHEAD
 
+    def fitted(self, time: float) -> float:
+        """A time when something ends: where speech begins, if hardly anything would fit in between."""
+        return time if self.speech is None or time < self.speech - NARROW - PAUSE else self.speech
+
     def soon(self) -> float:
         """How long the silence lasts, as far as it matters, s."""
         ends = [time for time in (self.speech, self.over) if time is not None]
@@ -76,12 +80,12 @@ def _enter(actor: Actor, bounds: Bounds) -> None:
     if plan.glance is not None:
         actor.gaze(plan.glance, actor.memory.eyes, actor.memory.target, _staying(actor))
         size, angle = actor.draws("look", 2, "behind")
-        until = min(plan.glance + FIXATION[0] + size, bounds.since + length)
+        until = bounds.fitted(min(plan.glance + FIXATION[0] + size, bounds.since + length))
         actor.gaze(until, near_listener(actor, size, angle), "listener", "glance at pause")
     elif not actor.memory.asked:
         actor.note(run_until=bounds.since + min(length, THOUGHT), run=actor.memory.eyes)
     if plan.blink is not None and free(actor, plan.blink):
-        blink(actor, plan.blink, "pause")
+        blink(actor, plan.blink, "pause", until=bounds.since + length - LONGEST)
     if plan.glance is not None and abs(due(actor) - plan.glance) < APART:
         actor.note(blink_due=plan.glance + APART + 0.01)
 
@@ -96,7 +100,7 @@ def _blinks(actor: Actor, bounds: Bounds) -> None:
         if not bounds.ready(at) or (bounds.over is not None and at + LONGEST > bounds.over):
             return
         if free(actor, at):
-            blink(actor, at, "need")
+            blink(actor, at, "need", until=bounds.end - LONGEST)
         else:
             wink = max(end for begin, end in actor.memory.winks if begin <= at + LONGEST)
             actor.note(blink_due=wink + BETWEEN)
@@ -114,10 +118,7 @@ def _wander(actor: Actor, bounds: Bounds) -> None:
         if actor.memory.run_until is None or time >= actor.memory.run_until - SHORTEST:
             _turn(actor, bounds, time, draws)
         until = min(time + length, actor.memory.run_until or time + length)
-        if bounds.speech is not None and until > bounds.speech - NARROW - PAUSE:
-            until = bounds.speech
-        until = max(until, time + NARROW)
-        _look(actor, until, draws)
+        _look(actor, bounds.fitted(max(until, time + NARROW)), draws)
 
 
 def _turn(actor: Actor, bounds: Bounds, time: float, draws: list[float]) -> None:
@@ -140,8 +141,10 @@ def _look(actor: Actor, until: float, draws: list[float]) -> None:
     """One fixation of a run."""
     memory = actor.memory
     if memory.target == "listener":
-        rule = "look at the asked" if memory.asked and memory.run_until is None else "listen"
-        actor.gaze(until, near_listener(actor, draws[1], draws[2]), "listener", rule)
+        eyes = near_listener(actor, draws[1], draws[2])
+        if memory.silent is not None and memory.eyes_until <= memory.silent + SHORTEST:
+            eyes = nearer(eyes, memory.eyes, 1.0)  # the last sound may be a pitch maximum
+        actor.gaze(until, eyes, "listener", "look at the asked" if memory.asked else "listen")
         return
     drift = near_listener(actor, draws[1], draws[2])
     actor.gaze(until, (memory.run[0] + drift[0], memory.run[1] + drift[1]), memory.target, "listen")
