@@ -17,6 +17,7 @@ from statistics import median
 from typing import Any
 
 from benchmarks.cold import EMPTY
+from benchmarks.curves import has_peer
 from benchmarks.processes import PROGRAM, interleaved, module, quiet, seconds
 from benchmarks.texts import text_of
 
@@ -122,6 +123,39 @@ def _marginal(name: str, taken: dict[int, list[dict[str, Any]]]) -> Iterator[Row
         yield Row(what=f"  {stage}", ours=ours, floor=floor, limit=1.1 if judged else None)
 
 
+def curves(folder: Path, rounds: int) -> Iterator[Row]:
+    """All ARKit columns at 60 frames a second: against the time they show, each other, and a peer."""
+    lengths = (1.0, 6.25, 60.0)
+    told: dict[float, dict[str, float]] = {}
+    for length in lengths:
+        (folder / f"{length}.txt").write_text(text_of(length, newlines=True))
+        told[length] = module("curves", "prepare", folder / f"{length}.txt", folder / f"{length}.json")
+    found = [module("curves", "cost", *(folder / f"{length}.json" for length in lengths)) for _ in range(rounds)]
+    short, middle, long = (
+        {name: median(one[place][name] for one in found) for name in found[0][place]} for place in range(len(lengths))
+    )
+    limit = long["duration"] / 300
+    yield Row(what="60 min of ARKit curves / 1/300 of what they show", ours=long["whole"], floor=limit, limit=1.0)
+    further = (long["whole"] - middle["whole"]) / (long["duration"] - middle["duration"]) * 60
+    yield Row(
+        what="a minute from 6 to 60 / of the first 6",
+        ours=further, floor=middle["whole"] / middle["duration"] * 60, limit=1.1,
+    )  # fmt: skip
+    yield Row(
+        what="ms for a window of 100 ms in 60 min / in 1 min",
+        ours=1000 * long["window"], floor=1000 * short["window"], limit=1.2,
+    )  # fmt: skip
+    if not has_peer():
+        print("OpenFaceFX is not installed, so it is left out: pip install openfacefx==0.24.0", flush=True)
+        return
+    peer = module("curves", "naive", folder / "6.25.txt", middle["duration"])
+    yield Row(
+        what="375 s of ARKit curves / a 20th of OpenFaceFX naive", ours=middle["whole"], floor=peer / 20, limit=1.0
+    )
+    compiled = told[6.25]["seconds"] + middle["whole"]
+    yield Row(what="  with speech and all else from the text / OpenFaceFX naive", ours=compiled, floor=peer, limit=None)
+
+
 def _prepare(text: Path, kept: Path) -> None:
     from benchmarks.processes import run
 
@@ -129,7 +163,7 @@ def _prepare(text: Path, kept: Path) -> None:
 
 
 PARTS: dict[str, tuple[Callable[[Path, int], Iterator[Row]], int]] = {
-    "cold": (cold, 11), "whole": (whole, 5), "growth": (growth, 3),
+    "cold": (cold, 11), "whole": (whole, 5), "growth": (growth, 3), "curves": (curves, 3),
 }  # fmt: skip
 """What is measured, and how often."""
 
