@@ -10,6 +10,7 @@ What the papers leave open, and what is done here:
   in "Dr." and "3.14" too; with "sentence" it is the end of a sentence, whatever its mark.
 - The end of a line of verse counts as "_", whatever its punctuation. A paragraph's end, a stanza's, and the end of the
   text count as ".", with or without a full stop: the papers have no paragraphs, and no place is better to breathe.
+- An emoticon is no marker, nor is a full stop behind it that ends nothing; their characters do not count (A11).
 - Of two markers in the same place, which only line ends and paragraphs can make, "." comes first.
 """
 
@@ -51,9 +52,9 @@ def ahead(text: Sequence[Unit], split: int, period: PeriodMarker, reach: float) 
         period: What counts as ".".
         reach: Characters.
     """
-    point = text[split - 1].letters.end
+    point = _point(text, split)
     for index in range(split - 1, len(text)):
-        if text[index].start - point > reach:
+        if text[index].heard(text[index].start) - point > reach:
             return
         for kind, place, count in _of(text, index, period):
             if point <= place <= point + reach:
@@ -65,22 +66,27 @@ def behind(text: Sequence[Unit], split: int, period: PeriodMarker, reach: float)
 
     One at the very start is no marker: its chunk would be empty.
     """
-    point = text[split - 1].letters.end
+    point = _point(text, split)
     for index in range(split - 1, -1, -1):
         for kind, place, count in reversed(_of(text, index, period)):
             if count and point - reach <= place < point:
                 yield Marker(kind=kind, distance=place - point, count=count)
-        if point - text[index].start > reach:
+        if point - text[index].heard(text[index].start) > reach:
             return
 
 
 def known(text: Sequence[Unit], split: int) -> int:
     """Characters from the split point that are known: a marker nearer than that has been seen."""
-    return text[-1].frontier - text[split - 1].letters.end
+    return text[-1].heard(text[-1].frontier) - _point(text, split)
+
+
+def _point(text: Sequence[Unit], split: int) -> int:
+    """The split point."""
+    return text[split - 1].heard(text[split - 1].letters.end)
 
 
 def _of(text: Sequence[Unit], index: int, period: PeriodMarker) -> list[tuple[Kind, int, int]]:
-    """Markers of one unit, in order: kind, place in the text, units up to the break."""
+    """Markers of one unit, in order: kind, place in the text without emoticons, units up to the break."""
     unit = text[index]
     first, last = unit.letters
     bare = period == "bare"
@@ -90,10 +96,11 @@ def _of(text: Sequence[Unit], index: int, period: PeriodMarker) -> list[tuple[Ki
     if unit.ends_line:
         found.append(("_", last, index + 1))
     if "." in unit.written or "_" in unit.written:
-        for place, character in enumerate(unit.written, unit.start):
+        for place, character in enumerate(unit.shown, unit.start):
             count = index if place < first else index + 1
             if character == "." and bare:
                 found.append((".", place, count))
             elif character == "_" and not first <= place < last:
                 found.append(("_", place, count))
-    return sorted(found, key=lambda marker: (marker[1], marker[0]))
+    heard = ((kind, unit.heard(place), count) for kind, place, count in found)
+    return sorted(heard, key=lambda marker: (marker[1], marker[0]))

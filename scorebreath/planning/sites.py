@@ -234,7 +234,7 @@ def _written(units: Sequence[Unit], index: int, small: FunctionWords, habits: Ha
     if unit.edge == "joint":
         return _boundary("word", JOINED)
     site = SITES[unit.edge]
-    if "_" in unit.written[unit.letters.end - unit.start :] and readiness[site] < readiness["marker"]:
+    if "_" in unit.shown[unit.letters.end - unit.start :] and readiness[site] < readiness["marker"]:
         site = "marker"
     if site == "line" and small.cling(_last(unit), _as_written(unit.words[-1])):
         return _boundary(site, readiness["clause"])

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from scorebreath.planning.model import SyllableCounter
+from scorebreath.script import emoticons
 from scorebreath.script.marks import DIVIDING, LONG_PAUSE, Act, Mark, NoBreath, VoiceMark
 from scorebreath.script.model import Edge, ScriptWord, Sentence, SentenceType
 from scorebreath.spans import Span
@@ -39,6 +40,10 @@ class Unit:
     """whether a sentence ends with it"""
     stanza: int | None
     """of verse, from 0; None in prose"""
+    signs: tuple[Span, ...] = ()
+    """places in `written` of emoticons, each with the space before it and the mark behind it that ends nothing (A11)"""
+    unheard: int = 0
+    """code points of those in the text before it"""
 
     @property
     def after(self) -> tuple[Mark, ...]:
@@ -49,6 +54,19 @@ class Unit:
     def frontier(self) -> int:
         """Where the next unit begins, or will begin."""
         return self.start + len(self.written)
+
+    @property
+    def shown(self) -> str:
+        """As written, with spaces for emoticons."""
+        shown = self.written
+        for sign in self.signs:
+            shown = shown[: sign.start] + " " * sign.length + shown[sign.end :]
+        return shown
+
+    def heard(self, place: int) -> int:
+        """A place in it, as code points of a text without emoticons."""
+        inside = place - self.start
+        return place - self.unheard - sum(max(0, min(inside, sign.end) - sign.start) for sign in self.signs)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,7 +94,7 @@ class UnitReader:
         self._count = Remembering(count)
         self._longest = longest
         self._chain: list[_Part] = []
-        self._syllables = 0
+        self._syllables = self._unheard = 0
 
     def read(self, sentence: Sentence) -> Iterator[Unit]:
         """Units that are complete once `sentence` is known: all, unless it ends inside a word."""
@@ -110,6 +128,8 @@ class UnitReader:
         letters = Span(_letters(first).start, _letters(last).end)
         counts = [part.syllables for part in chain]
         counts[0] += syllables == 0
+        signs, unheard = _signs(written), self._unheard
+        self._unheard += sum(sign.length for sign in signs)
         return Unit(
             words=tuple(part.word for part in chain),
             counts=tuple(counts),
@@ -124,6 +144,8 @@ class UnitReader:
             sentence_type=last.sentence.type,
             closes=edge in ("sentence", "paragraph") and last.sentence.complete,
             stanza=first.sentence.stanza if self._poem else None,
+            signs=signs,
+            unheard=unheard,
         )
 
 
@@ -162,6 +184,17 @@ def dividing(marks: Sequence[Mark]) -> Mark | None:
 def forbids(unit: Unit) -> bool:
     """Whether the markup forbids a breath behind a unit; where it asks for one at the same place, that is taken."""
     return any(isinstance(mark, NoBreath) for mark in unit.after) and not dividing(unit.after)
+
+
+def _signs(written: str) -> tuple[Span, ...]:
+    """Emoticons as `Unit.signs` has them."""
+    if not emoticons.possible(written):
+        return ()
+    found = []
+    for span in emoticons.spans(written):
+        spaced = span.start > 0 and written[span.start - 1] == " "
+        found.append(Span(span.start - spaced, span.end))
+    return tuple(found)
 
 
 def _end(part: _Part) -> int:
