@@ -19,6 +19,7 @@ from scorebreath.planning.model import BreathGroup, SyllableCounter, plan
 from scorebreath.planning.planners import open_planner
 from scorebreath.score.document import Group, MediaInfo, Score
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration
+from scorebreath.script.emotional import with_breathing
 from scorebreath.script.marks import StateMark
 from scorebreath.script.markup.marked import Marked, Markup
 from scorebreath.script.model import Script, Sentence
@@ -134,7 +135,12 @@ def plan_script(
     seed: int = 0,
     cast: Mapping[str, Parameters] | None = None,
 ) -> Iterator[BreathGroup]:
-    """Breath groups of a script, as the model's planner cuts them (the papers' planners count with pyphen)."""
+    """Breath groups of a script, as the model's planner cuts them (the papers' planners count with pyphen).
+
+    Where the model has states, emotions move the breath (`emotion_breath`).
+    """
+    if breathing_model(model).has_states:
+        script = with_breathing(script, parameters.emotion_breath, states)
     blend = Blend()
     for mark in states:
         blend, _ = blend.changed(0.0, mark.name, mark.intensity, mark.ramp, held=mark.held)

@@ -29,6 +29,8 @@ class BreathingModel:
     """what it does until a time while it has nothing to say; the text names what for"""
     act: Callable[[BodyState, tuple[Mark, ...], str], tuple[BodyState, list[Event]]]
     """does what markup asks for that belongs to no group"""
+    has_states: bool = False
+    """whether moods and efforts move its breath"""
 
 
 _BERNARDET = BreathingModel(
@@ -40,7 +42,12 @@ MODELS: Mapping[str, BreathingModel] = MappingProxyType(
         "bernardet-2017": _BERNARDET,
         "bernardet-2019": _BERNARDET,
         "natural": BreathingModel(
-            person=natural.person, step=natural.step, finish=natural.finish, rest=natural.rest, act=natural.act
+            person=natural.person,
+            step=natural.step,
+            finish=natural.finish,
+            rest=natural.rest,
+            act=natural.act,
+            has_states=True,
         ),
     }
 )

@@ -28,7 +28,8 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup
 from scorebreath.score.document import Person
 from scorebreath.score.events import Event, Lead
-from scorebreath.script.marks import Act, Mark
+from scorebreath.script.emotional import ENDS
+from scorebreath.script.marks import Act, EmotionMark, Mark
 from scorebreath.units import snap
 
 FACE_LEAD = 0.08
@@ -37,6 +38,10 @@ VOLUME_VARIATION = 0.5
 """What a syllable takes varies from group to group by so many times as much as resting cycles do."""
 MOST_IRREGULAR = 1.6
 """Times its usual spread that the depth of breaths varies at most."""
+QUICKER = 0.3
+"""Share of its length that a breath of surprise is shorter by, on top of what the state does."""
+SHORT_HOLD = 0.3
+"""s that it is held for at least, on average: half of what 4.2 gives the whole state."""
 SIGH_SPREAD = 0.3
 """Coefficient of variation of the time between sighs."""
 
@@ -148,19 +153,36 @@ def _inspire(placer: Placer, spoken: Spoken, breath: Act | None) -> None:
     louder += flow_level(longer, 1.0, p.flow_exponent)  # a longer breath that is asked for is not a softer one
     longer *= timing.for_depth(to - placer.volume, need)
     length = timing.speech_inspiration(p, m, chances, syllables=syllables, site=state.site, asked=longer)
+    startled = 0.0 if breath else surprise(p, spoken.group)
+    length *= 1.0 - QUICKER * startled
     if breath and breath.seconds is not None:
         length = breath.seconds
     if state.site in ("text end", "paragraph"):
         louder += INITIAL_DB
     if wishes and wishes.silent and not breath:
         louder = -200.0
-    rule = f"physiology 1.3: {syllables} syllables to come, after {state.site}"
+    rule = (
+        f"physiology 1.3: {syllables} syllables to come, after {state.site}{', quick at surprise' if startled else ''}"
+    )
     placer.inhale(
         "in", to, length, rule=f"asked: {breath.written}" if breath else rule, air=Air(extra_db=louder),
         saccades=m.saccades, origin="markup" if breath else "rule",
     )  # fmt: skip
-    if chances.happens("hold", m.hold_chance):
-        placer.hold("held", chances.about("hold.length", m.hold_length, 0.3), rule="physiology 4.2: holds", held=True)
+    if startled or chances.happens("hold", m.hold_chance):
+        held = chances.about("hold.length", max(m.hold_length, SHORT_HOLD if startled else 0.0), 0.3)
+        placer.hold("held", held, rule="physiology 4.2: holds at surprise" if startled else "physiology 4.2: holds",
+                    held=True)  # fmt: skip
+
+
+def surprise(p: Parameters, group: BreathGroup) -> float:
+    """How much a group begins with surprise, 0..1: before it, or up to where its first phrase ends (B60)."""
+    marks = [*group.before]
+    for word in group.words:
+        marks += word.after
+        if word.edge in ENDS:
+            break
+    felt = [mark.intensity for mark in marks if isinstance(mark, EmotionMark) and mark.name == "surprised"]
+    return p.emotion_breath * max(felt, default=0.0)
 
 
 def _warn(placer: Placer, group: BreathGroup, need: float, left: float) -> None:
