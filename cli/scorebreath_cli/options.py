@@ -221,6 +221,14 @@ Fps = Annotated[
     typer.Option("--fps", metavar="RATE", help="Frames per second of the curves: 60, 29.97 or 30000/1001.",
                  rich_help_panel=SOUND),
 ]  # fmt: skip
+Rigs = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--rig", metavar="NAME|FILE",
+        help="Write NAME.csv, too: the curves as a character's own shapes, see `scorebreath rigs`; may be repeated.",
+        autocompletion=complete_rigs, rich_help_panel=SOUND,
+    ),
+]  # fmt: skip
 
 Force = Annotated[bool, typer.Option("--force", "-f", help="Replace output that is there already.")]
 Json = Annotated[bool, typer.Option("--json", help="Tell what happens as one JSON object a line, on stdout.")]

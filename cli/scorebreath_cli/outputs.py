@@ -24,13 +24,16 @@ SET_FILES = (
 """What `render` writes into its folder beside the media; the Score last, as it names the others' source."""
 BODY_FILES = ("curves.csv", "curves.json", "timeline.png")
 """What it writes into a folder of its own for each further body of a Score; the files above are those of the first."""
+RIG_SUFFIX = ".csv"
+"""of what it writes for each `--rig`, there and for every further body."""
 STANDARD = "-"
 """The name of stdin and stdout."""
 SCORE = "score.json"
 """What an output folder calls its Score."""
 TAKE = "take.jsonl"
 """What a take's folder holds."""
-_MEDIA = re.compile(r"(speech|breath)/[0-9a-f]{64}\.wav\Z")
+_OURS = re.compile(r"(speech|breath)/[0-9a-f]{64}\.wav\Z|([^/]+/)?[a-z]+\.csv\Z")
+"""What of an old output may be taken away, whoever names it."""
 _NAMED = re.compile(rb'"path":"((?:speech|breath)/[0-9a-f]{64}\.wav)"')
 
 
@@ -213,6 +216,17 @@ def old_media(folder: Path) -> set[str]:
     return {name.decode() for name in named}
 
 
+def old_rigs(folder: Path) -> set[str]:
+    """Curves of rigs of ours that an earlier run left beside its Score: with another Score they would be wrong."""
+    if not (folder / SCORE).is_file():
+        return set()
+    from scorebreath.curves.rigs.table import RIGS
+
+    homes = [folder, *(path.parent for path in folder.glob(f"*/{BODY_FILES[0]}"))]
+    found = (home / f"{rig}{RIG_SUFFIX}" for home in homes for rig in RIGS)
+    return {path.relative_to(folder).as_posix() for path in found if path.is_file()}
+
+
 @contextmanager
 def uninterrupted() -> Iterator[None]:
     """Hold Ctrl-C and termination back until a step that must not be torn is over."""
@@ -232,7 +246,7 @@ def uninterrupted() -> Iterator[None]:
 
 
 def _merge(part: Path, folder: Path, old: set[str]) -> None:
-    """Move every file of `part` into `folder`; on failure put everything back."""
+    """Move every file of `part` into `folder`, and those of `old` away; on failure put everything back."""
     made = sorted(str(path.relative_to(part).as_posix()) for path in part.rglob("*") if path.is_file())
     made.sort(key=lambda name: SET_FILES.index(name) if name in SET_FILES else -1)
     attic = Path(tempfile.mkdtemp(prefix=".old.", suffix=".part", dir=folder))
@@ -241,7 +255,7 @@ def _merge(part: Path, folder: Path, old: set[str]) -> None:
     try:
         for name in [*made, *sorted(old - set(made))]:
             target = folder / name
-            if target.exists() and name not in kept and (name in made or _MEDIA.match(name)):
+            if target.exists() and name not in kept and (name in made or _OURS.match(name)):
                 (attic / name).parent.mkdir(parents=True, exist_ok=True)
                 target.rename(attic / name)
                 kept.append(name)

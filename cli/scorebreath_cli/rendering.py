@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
@@ -11,9 +11,20 @@ from pathlib import Path
 from threading import Event
 from typing import TYPE_CHECKING, Any, BinaryIO
 
+from scorebreath.errors import InputError
 from scorebreath_cli.inputs import Source, load_score, read_source
 from scorebreath_cli.making import Compiler
-from scorebreath_cli.outputs import BODY_FILES, SCORE, SET_FILES, old_media, refuse_existing, refuse_own_input, staged
+from scorebreath_cli.outputs import (
+    BODY_FILES,
+    RIG_SUFFIX,
+    SCORE,
+    SET_FILES,
+    old_media,
+    old_rigs,
+    refuse_existing,
+    refuse_own_input,
+    staged,
+)
 from scorebreath_cli.printers import Printer
 from scorebreath_cli.settings import frame_rate
 
@@ -37,19 +48,44 @@ class SoundOptions:
     """Hz"""
     fps: str
     """frames per second of the curves, as given"""
+    rigs: tuple[str, ...] = ()
+    """characters whose shapes are written as well: names, or paths of `.toml` files"""
 
     def check(self) -> Fraction:
         """Refuse what is wrong before anything is made; the frames per second.
 
         Raises:
-            InputError: No such engine, or a rate out of range.
+            InputError: No such engine, no such rig, or a rate out of range.
         """
+        self.check_rigs()
         from scorebreath.engine.engines import engine_named
         from scorebreath.engine.rates import check_sample_rate
 
         engine_named(self.engine)
         check_sample_rate(self.rate)
         return frame_rate(self.fps)
+
+    def check_rigs(self) -> None:
+        """Refuse a rig that is none, and two that would be one file.
+
+        Raises:
+            InputError: Names it.
+        """
+        if not self.rigs:
+            return
+        from scorebreath.curves.rigs.table import rig_named
+
+        taken = set(SET_FILES)
+        for rig, name in zip(self.rigs, self.rig_files, strict=True):
+            rig_named(rig)
+            if name in taken:
+                raise InputError(f"--rig {rig}: {name} is another file of the output already; rename the rig's file")
+            taken.add(name)
+
+    @property
+    def rig_files(self) -> tuple[str, ...]:
+        """What each rig's curves are called."""
+        return tuple(Path(rig).name.removesuffix(".toml") + RIG_SUFFIX for rig in self.rigs)
 
 
 class Renderer:
@@ -67,16 +103,25 @@ class Renderer:
         """
         source = read_source(given)
         besides = source.path if source.kind == "score" else None
-        refuse_own_input(given, (folder / name for name in SET_FILES if besides is None or name != SCORE))
-        refuse_existing(folder, SET_FILES, force=force, besides=besides)
+        own = (*SET_FILES, *self._sound.rig_files)
+        refuse_own_input(given, (folder / name for name in own if besides is None or name != SCORE))
+        refuse_existing(folder, own, force=force, besides=besides)
         fps = self._begin(source)
         self._printer.started(source.name, str(folder))
-        with staged(folder, own=old_media) as part, ThreadPoolExecutor(1, thread_name_prefix="writer") as writer:
+        with (
+            staged(folder, own=lambda old: old_media(old) | old_rigs(old)) as part,
+            ThreadPoolExecutor(1, thread_name_prefix="writer") as writer,
+        ):
             score, media = self._score(source, part, lambda: writer.submit(_imports, SOUND + PICTURE))
-            others = tuple(f"{body.id}/{name}" for body in score.bodies[1:] for name in BODY_FILES)
+            others = tuple(
+                f"{body.id}/{name}"
+                for body in score.bodies[1:]
+                for name in own
+                if name not in SET_FILES or name in BODY_FILES
+            )
             refuse_existing(folder, others, force=force)
             self._write_set(score, media, part, fps, writer)
-        for name in sorted((*SET_FILES, *others)):
+        for name in sorted((*own, *others)):
             self._printer.written(str(folder / name), (folder / name).stat().st_size)
 
     def to_stdout(self, given: str) -> None:
@@ -134,11 +179,12 @@ class Renderer:
         _check_room(part, score.duration, self._sound.rate)
         first, more = (score.bodies[0].id if score.bodies else None), score.bodies[1:]
         whole = with_media_paths(score)
-        silent = _Writers(whole, media, part, fps, first)
-        besides = [_Writers(whole, media, part / body.id, fps, body.id) for body in more]
+        rigs = dict(zip(self._sound.rig_files, self._sound.rigs, strict=True))
+        silent = _Writers(whole, media, part, fps, first, rigs=rigs)
+        besides = [_Writers(whole, media, part / body.id, fps, body.id, rigs=rigs) for body in more]
         try:
             page, others = writer.submit(silent.page), writer.submit(silent.write)
-            jobs = [writer.submit(each.write, BODY_FILES) for each in besides]
+            jobs = [writer.submit(each.write, (*BODY_FILES, *rigs)) for each in besides]
             compact = CompactSound(self._sound.rate, seconds_shown(score))
             with (part / "mix.wav").open("wb") as stream:
                 self._sound_of(score, media, stream, compact.add)
@@ -172,9 +218,13 @@ def _check_room(folder: Path, duration: float, rate: int) -> None:
 class _Writers:
     """What can be written without the sound."""
 
-    def __init__(self, score: Score, media: MediaStore, part: Path, fps: Fraction, body: str | None) -> None:
+    def __init__(
+        self, score: Score, media: MediaStore, part: Path, fps: Fraction, body: str | None, *,
+        rigs: Mapping[str, str],
+    ) -> None:  # fmt: skip
         from scorebreath.curves.curve_set import curves
 
+        self._body, self._rigs = body, rigs
         self.score, self.curve_set = score, curves(score, body)
         self._media, self._part, self._fps = media, part, fps
         self._stopped = Event()
@@ -198,6 +248,7 @@ class _Writers:
             "curves.csv": self._curves,
             "curves.json": self._curves,
             "groups.csv": self._groups,
+            **dict.fromkeys(self._rigs, self._rig),
         }
         for name, write in writers.items():
             if self._stopped.is_set():
@@ -223,6 +274,13 @@ class _Writers:
         write = curves_csv.write if path.suffix == ".csv" else curves_json.write
         with path.open("wb") as stream:
             write(stream, self.curve_set, self.score.duration, self._fps)
+
+    def _rig(self, path: Path) -> None:
+        from scorebreath.formats.formats import ExportOptions, rig_formats
+
+        table, *_ = rig_formats(self._rigs[path.name])
+        with path.open("wb") as stream:
+            table.write(stream, self.score, ExportOptions(fps=self._fps, body=self._body))
 
     def _groups(self, path: Path) -> None:
         from scorebreath.formats import groups_csv

@@ -147,10 +147,10 @@ class Look:
 
 
 def _blink(event: Blink) -> str:
-    eye = "both eyes" if event.left and event.right else "left eye" if event.left else "right eye"
+    which = "both lids" if event.left and event.right else "left lid" if event.left else "right lid"
     sides = event.left, event.right
     far = f"{max(sides):.2f}" if min(sides) in (0.0, max(sides)) else f"left {event.left:.2f}, right {event.right:.2f}"
-    return f"{eye} {far}, {1000 * event.duration:.0f} ms"
+    return f"{which} {far}, {1000 * event.duration:.0f} ms"
 
 
 def _brow(event: Brow) -> str:
@@ -177,7 +177,9 @@ _WAYS = (("up", "down"), ("left", "right"), ("tilt right", "tilt left"))
 
 def _turned(*degrees: float) -> str:
     said = (
-        f"{ways[amount < 0]} {abs(amount):.1f}" for ways, amount in zip(_WAYS, degrees, strict=False) if abs(amount) > 0
+        f"{ways[amount < 0]} {abs(amount):.1f}"
+        for ways, amount in zip(_WAYS, degrees, strict=False)
+        if round(amount, 1)
     )
     words = ", ".join(said)
     return f"{words} deg" if words else ""

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 SHOWN = 400
 """Characters of a group shown to people: more than one breath holds, unless the text is no text."""
-WIDE = 32
+WIDE = 38
 """Characters to which a column of what the face does is padded."""
 
 

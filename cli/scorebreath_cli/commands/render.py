@@ -48,6 +48,7 @@ def render(
     engine: o.Engine = DEFAULT_ENGINE,
     rate: o.Rate = 48000,
     fps: o.Fps = "60",
+    rig: o.Rigs = None,
     force: o.Force = False,
     json_lines: o.Json = False,
     debug: o.Debug = False,
@@ -75,12 +76,12 @@ def render(
         from scorebreath_cli.streams import check_stdout
 
         check_engine(engine)
-        sound = SoundOptions(engine=engine, rate=rate, fps=fps)
+        sound = SoundOptions(engine=engine, rate=rate, fps=fps, rigs=tuple(dict.fromkeys(rig or ())))
         with Compiler(options, printer) as compiler:
             renderer = Renderer(compiler, sound, printer)
             if output == STANDARD:
-                if len(inputs) > 1 or json_lines:
-                    raise InputError("-o -: takes one input and no --json, as stdout takes the sound alone")
+                if len(inputs) > 1 or json_lines or rig:
+                    raise InputError("-o -: takes one input, no --json and no --rig: stdout takes the sound alone")
                 check_stdout()
                 renderer.to_stdout(inputs[0])
             elif len(inputs) == 1:
