@@ -62,7 +62,7 @@ def extrema(utterance: Utterance) -> tuple[Extremum, ...]:
     corners = stylise(heights)
     accented = _accented(utterance)
     peaks: dict[tuple[float, float] | int, Extremum] = {}
-    for corner in _peaks(heights, corners):
+    for corner in _peaks(heights, corners, round(REACH / utterance.pitch.step)):
         peak = _extremum("maximum", int(corner), heights, utterance, accented)
         key = peak.syllable or int(corner)
         if key not in peaks or peaks[key].semitones < peak.semitones:
@@ -70,13 +70,27 @@ def extrema(utterance: Utterance) -> tuple[Extremum, ...]:
     return _in_turn(sorted(peaks.values(), key=lambda peak: peak.time), heights, utterance)
 
 
-def _peaks(heights: NDArray[np.float64], corners: NDArray[np.intp]) -> list[int]:
-    """Corners higher than their neighbours; the first and the last, which are always corners, by the tolerance."""
+def _peaks(heights: NDArray[np.float64], corners: NDArray[np.intp], reach: int) -> list[int]:
+    """Tops at corners higher than their neighbours; at the ends, where that says little, above a fall or a climb."""
     found = heights[corners]
-    around = np.concatenate(([found[0] - TOLERANCE], found, [found[-1] - TOLERANCE]))
+    around = np.concatenate(([-np.inf], found, [-np.inf]))
     higher = (found > around[:-2]) & (found >= around[2:])
-    higher[[0, -1]] &= found[[0, -1]] >= found[[1, -2]] + TOLERANCE
-    return [int(corner) for corner in corners[higher]]
+    higher[0] &= _climb(found[::-1]) >= TOLERANCE
+    higher[-1] &= _climb(found) >= TOLERANCE
+    sides = np.pad(corners, 1, mode="edge")
+    return [_top(heights, corners[n], sides[n], sides[n + 2], reach) for n in np.flatnonzero(higher)]
+
+
+def _climb(found: NDArray[np.float64]) -> float:
+    """How far the last corner is above where the melody last turned up."""
+    falls = np.flatnonzero(np.diff(found) < 0)
+    return float(found[-1] - found[falls[-1] + 1 if falls.size else 0])
+
+
+def _top(heights: NDArray[np.float64], corner: int, before: int, after: int, reach: int) -> int:
+    """The highest place near a corner, between its neighbours: a corner at an end is seldom the top itself."""
+    first, stop = max(before, corner - reach), min(after, corner + reach) + 1
+    return int(first + np.argmax(heights[first:stop]))
 
 
 def _in_turn(peaks: Sequence[Extremum], heights: NDArray[np.float64], utterance: Utterance) -> tuple[Extremum, ...]:
