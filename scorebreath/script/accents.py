@@ -41,8 +41,8 @@ def is_hesitation(word: str, language: str) -> bool:
 
 
 def plain(word: str) -> str:
-    """A word as the tables have it: small letters, straight apostrophes, no punctuation around it."""
-    return _AT_EDGES.sub("", unicodedata.normalize("NFC", word).lower().translate(_APOSTROPHES))
+    """A word as a `Lexicon` has it: case folded, straight apostrophes, no punctuation around it."""
+    return _AT_EDGES.sub("", unicodedata.normalize("NFC", word).casefold().translate(_APOSTROPHES))
 
 
 def _content(word: str, known: Lexicon) -> bool:

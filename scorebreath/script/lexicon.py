@@ -15,7 +15,7 @@ _NOTHING: frozenset[str] = frozenset()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lexicon:
-    """A language's small words, in small letters, apostrophes straight; nothing where there is no table."""
+    """A language's small words, case folded ("ß" is "ss"), apostrophes straight; nothing where there is no table."""
 
     known: bool = False
     """whether there is a table"""
@@ -65,4 +65,4 @@ def lexicon(language: str) -> Lexicon:
 
 
 def _words(lines: list[str]) -> frozenset[str]:
-    return frozenset(" ".join(lines).split())
+    return frozenset(" ".join(lines).casefold().split())
