@@ -25,6 +25,8 @@ class Driver:
     meaning: str
 
 
+OPEN = 0.58
+"""Value of jaw_open for aa."""
 BETWEEN = 0.88
 """Value of tongue_tip from which on it comes out between the teeth; for t, d and n it stays below."""
 
@@ -43,9 +45,9 @@ DRIVERS: Mapping[str, Driver] = MappingProxyType(
             ("jaw_open", "mouth_open"), np.maximum,
             "the mouth's opening, to speak or to breathe",
         ),
-        "breath_only": Driver(
-            ("jaw_open", "mouth_open"), lambda jaw, breath: np.maximum(breath - jaw, 0.0),
-            "how much further the breath opens the mouth than speech",
+        "breath_share": Driver(
+            ("jaw_open", "mouth_open"), lambda jaw, breath: np.clip((breath - jaw) / OPEN, 0.0, 1.0),
+            "how much further the breath opens the mouth than speech: 1 as far as for aa",
         ),
         "aperture": Driver(
             ("jaw_open", "mouth_open", "lip_close"),
@@ -59,12 +61,6 @@ DRIVERS: Mapping[str, Driver] = MappingProxyType(
         "closing": Driver(("lip_close",), _closing, "how far the lips are shut for p, b, m"),
         "unrounded": Driver(
             ("jaw_open", "lip_round"), lambda jaw, rounded: jaw * (1.0 - rounded), "jaw open behind spread lips (aa)"
-        ),
-        "rounded": Driver(
-            ("jaw_open", "lip_round"), lambda jaw, rounded: jaw * rounded, "jaw open behind round lips (oh)"
-        ),
-        "hushed": Driver(
-            ("tongue_tip", "lip_round"), np.multiply, "round lips before a raised tip of the tongue (sh)"
         ),
         "tongue_out": Driver(("tongue_tip",), _out, "tip of the tongue between the teeth (th)"),
         "shut_left": Driver(("lid_left",), lambda lid: np.maximum(lid, 0.0), "how far the left eye is shut"),

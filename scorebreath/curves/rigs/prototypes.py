@@ -8,14 +8,18 @@ import numpy as np
 
 from scorebreath.curves.tracks import Array
 
+NEAR = 0.3
+"""Square of the distance, in widths, within which a prototype is as good as met."""
+
 
 @dataclass(frozen=True, slots=True)
 class Prototypes:
     r"""Points in the space of some channels.
 
-    The share of prototype :math:`i` at a point :math:`x` is :math:`e^{-d_i^2 / 2} / \sum_j e^{-d_j^2 / 2}`, where
-    :math:`d_i` is the distance of :math:`x` from it, each channel measured in its own width. Shares are in 0..1, add
-    up to 1 and move as smoothly as the channels; at a prototype, its own is the highest.
+    The share of prototype :math:`i` at a point is :math:`w_i / \sum_j w_j` with :math:`w = (d^2 + 0.3)^{-2}`, where
+    :math:`d` is the point's distance from it, each channel measured in its own width (Shepard's inverse distances).
+    Shares are in 0..1 and add up to 1; at a prototype its own is the highest; on the way from one to another they
+    cross over about as long as the channels move, where nearer ones of a Gaussian would change places at once.
     """
 
     names: tuple[str, ...]
@@ -32,7 +36,7 @@ class Prototypes:
         square = np.zeros((len(self.names), values.shape[1]))
         for channel, row in enumerate(values):
             square += ((row - self.points[:, channel, np.newaxis]) / self.widths[channel]) ** 2
-        near = np.exp(-0.5 * (square - square.min(axis=0)))
+        near = 1.0 / (square + NEAR) ** 2
         total = np.zeros(values.shape[1])
         for row in near:  # in order, or the last bit would depend on how many moments are asked for
             total += row

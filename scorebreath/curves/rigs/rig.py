@@ -19,6 +19,9 @@ from scorebreath.score.acting import EMOTIONS
 Negative = Literal["clip", "offset", "allow"]
 GATE = "closing"
 """The driver that shuts lips for p, b and m: the closure gate."""
+HIGH = "high"
+TIMES = " * "
+"""Between the names of a product of two."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,13 +37,13 @@ class Column:
     """what is done with channels that add up to less than 0: `clip` takes 0, `offset` shows -1..1 as 0..1 with 0.5 at
     rest, `allow` takes them as they are"""
     parts: Mapping[str, float]
-    """factor of each channel, driver or prototype, in the column's unit"""
+    """factor of each channel, driver or prototype, or of a product of two of them, in the column's unit"""
     emotions: Mapping[str, float]
     """what each emotion adds at full intensity, in the column's unit"""
     gate: float
     """share of it that the closure gate takes away, 0..1"""
     shuts: str
-    """the column which it equals where the closure gate shuts the lips, or empty"""
+    """the column which it equals where the closure gate shuts the lips; `high`: its own highest value; or empty"""
     yields: str
     """the driver that takes its emotions away: a lid that shuts, or empty"""
 
@@ -98,7 +101,8 @@ class Rig:
             if column.gate:
                 out[number] *= 1.0 - column.gate * sources[GATE]
             if column.shuts:
-                out[number] += (_sum(self.column(column.shuts), sources) - out[number]) * sources[GATE]
+                target = column.high if column.shuts == HIGH else _sum(self.column(column.shuts), sources)
+                out[number] += (target - out[number]) * sources[GATE]
         return out.T
 
     def column(self, name: str) -> Column:
@@ -114,9 +118,10 @@ class Rig:
 
     def _sources(self, table: Sequence[Column], curve_set: CurveSet, times: ArrayLike) -> dict[str, Array]:
         """Every channel, driver and prototype that some columns need, (n,) each."""
-        table = (*table, *(self.column(column.shuts) for column in table if column.shuts))
+        table = (*table, *(self.column(column.shuts) for column in table if column.shuts not in ("", HIGH)))
         felt = {name for column in table for name in column.emotions}
-        wanted = {name for column in table for name in (*column.parts, column.yields) if name}
+        parts = {name for column in table for name in (*column.parts, column.yields) if name}
+        wanted = {factor for part in parts for factor in factors(part)}
         wanted |= {GATE} | {f"emotion_{name}" for name in EMOTIONS if name in felt}
         shares = self.prototypes if self.prototypes is not None and wanted & set(self.prototypes.names) else None
         if shares is not None:
@@ -129,7 +134,20 @@ class Rig:
         if shares is not None:
             points = np.array([found[name] for name in shares.channels])
             found |= dict(zip(shares.names, shares.shares(points), strict=True))
+        for part in parts:
+            if part not in found:
+                one, other = factors(part)
+                found[part] = found[one] * found[other]
         return found
+
+
+def factors(part: str) -> tuple[str, ...]:
+    """The names in a part: itself, or both of a product.
+
+    >>> factors("jaw_open"), factors("jaw_open * lip_round")
+    (('jaw_open',), ('jaw_open', 'lip_round'))
+    """
+    return tuple(part.split(TIMES))
 
 
 def _sum(column: Column, sources: Mapping[str, Array]) -> Array:

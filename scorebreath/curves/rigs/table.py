@@ -4,8 +4,10 @@
     [units]                  rad = 0.0174533       what a factor in the file is multiplied by, for columns of that unit
     [defaults]               of every column: low, high, unit, negative
     [columns]                jawOpen = { from = { mouth = 1.0 }, low = 0, high = 1, unit = "", negative = "clip" }
+                             `from` names channels, drivers, prototypes, or products: "jaw_open * lip_round"
     [emotions.happy]         "mouthSmile*" = 0.7   `*` is Left and Right, or _left and _right, or _l_ and _r_
-    [closure]                mouthFunnel = 1.0     share that the closure gate takes; mouthClose = "jawOpen": equals it
+    [closure]                mouthFunnel = 1.0     share that the closure gate takes; mouthClose = "jawOpen": equals
+                             that column where lips shut; "high": its own highest value
     [yields]                 eyeWideLeft = "shut_left"    the driver that takes a column's emotions away
     [prototypes]             channels and widths; [prototypes.points] a row of numbers each
 
@@ -17,6 +19,7 @@ from __future__ import annotations
 import math
 import tomllib
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -28,7 +31,7 @@ import numpy as np
 from scorebreath.curves.channels import CHANNELS
 from scorebreath.curves.rigs.drivers import DRIVERS
 from scorebreath.curves.rigs.prototypes import Prototypes
-from scorebreath.curves.rigs.rig import Column, Negative, Rig
+from scorebreath.curves.rigs.rig import HIGH, Column, Negative, Rig, factors
 from scorebreath.errors import InputError, did_you_mean
 from scorebreath.score.acting import EMOTIONS
 
@@ -90,8 +93,8 @@ def read_rig(name: str, text: str) -> Rig:
     columns = _rows(name, document, "columns")
     order = document.get("order", list(columns))
     _known(name, "order", order, columns)
-    written = _writer(name, document.get("names", ""))
-    table = tuple(written(_column(name, each, document, known)) for each in order)
+    names = document.get("names", "")
+    table = tuple(_renamed(name, names, _column(name, each, document, known)) for each in order)
     if not table:
         raise InputError(f"rig {name}: [columns] is empty; expected at least one")
     return Rig(
@@ -131,7 +134,11 @@ def _column(rig: str, name: str, document: Table, known: Collection[str]) -> Col
         raise InputError(f"rig {rig}: {name}: negative = {row['negative']!r}; expected {', '.join(get_args(Negative))}")
     scale = _number(rig, f"units {row['unit']}", document.get("units", {}).get(row["unit"], 1.0))
     parts = row.get("from", {})
-    _known(rig, f"{name}: from", parts, known)
+    _known(
+        rig, f"{name}: from", parts if not isinstance(parts, dict) else [n for p in parts for n in factors(p)], known
+    )
+    if any(len(factors(part)) > 2 for part in parts):
+        raise InputError(f"rig {rig}: {name}: from: expected products of two at most")
     emotions = {
         emotion: scale * _number(rig, f"{emotion}: {each}", weight)
         for emotion, weights in document.get("emotions", {}).items()
@@ -148,7 +155,7 @@ def _column(rig: str, name: str, document: Table, known: Collection[str]) -> Col
     if yields:
         _known(rig, f"yields: {name}", [yields], DRIVERS)
     if isinstance(gate, str):
-        _known(rig, f"closure: {name}", [gate], document["columns"])
+        _known(rig, f"closure: {name}", [gate], {HIGH, *document["columns"]})
     return Column(
         name=name, unit=str(row["unit"]), low=low * scale, high=high * scale, negative=row["negative"],
         parts=MappingProxyType({each: scale * _number(rig, f"{name}: {each}", parts[each]) for each in parts}),
@@ -179,18 +186,14 @@ def _both(rig: str, where: str, name: str, columns: Collection[str]) -> tuple[st
     raise InputError(f"rig {rig}: {where}: no column is called {name!r}{did_you_mean(name, columns)}")
 
 
-def _writer(rig: str, names: Any) -> Any:
+def _renamed(rig: str, names: Any, column: Column) -> Column:
+    """The column as `names` writes it."""
     if names not in ("", "pascal"):
         raise InputError(f"rig {rig}: names = {names!r}; expected pascal")
     if not names:
-        return lambda column: column
-
-    def written(column: Column) -> Column:
-        from dataclasses import replace
-
-        return replace(column, name=_pascal(column.name), shuts=_pascal(column.shuts))
-
-    return written
+        return column
+    shuts = column.shuts if column.shuts == HIGH else _pascal(column.shuts)
+    return replace(column, name=_pascal(column.name), shuts=shuts)
 
 
 def _pascal(name: str) -> str:
