@@ -18,7 +18,7 @@ from scorebreath.formats.mary_phones import Syllable, name_of, sounds, syllables
 from scorebreath.formats.mary_words import PARAGRAPH, SENTENCE, Said, said
 from scorebreath.score.document import Score
 from scorebreath.score.events import Emotion, Event, Marker, Phone, Utterance
-from scorebreath.units import plain, snap
+from scorebreath.units import snap
 
 NAMESPACE = "http://mary.dfki.de/2002/MaryXML"
 VERSION = "0.5"
@@ -53,6 +53,9 @@ TONES = frozenset(
     }
 )  # fmt: skip
 """Labels of boundary tones in the schema."""
+
+SILENCE = "_"
+"""What MARY calls a phone that is none."""
 
 _NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _NOT_IN_NAME = re.compile(r"[^A-Za-z0-9_.-]")
@@ -92,10 +95,10 @@ class _Out:
         self.text = StringIO()
 
     def _tag(self, element: str, attributes: Mapping[str, str]) -> str:
-        told = {key.replace("xml_lang", "xml:lang"): value for key, value in attributes.items() if value}
+        told = {key.replace("xml_lang", "xml:lang"): _clean(value) for key, value in attributes.items()}
         known = PUBLISHED[element]
         assert told.keys() <= set(known), f"<{element}> has no {', '.join(told.keys() - set(known))}"
-        return "".join((f"<{element}", *(f" {key}={quoteattr(_clean(told[key]))}" for key in known if key in told)))
+        return "".join((f"<{element}", *(f" {key}={quoteattr(told[key])}" for key in known if told.get(key))))
 
 
 def write(stream: BinaryIO, score: Score) -> None:
@@ -227,9 +230,9 @@ def _syllable(out: _Out, syllable: Syllable, utterance: Utterance, accent: str, 
         out.empty(
             "ph",
             d=str(max(1, round(phone.duration * 1000.0))),
-            end=plain(snap(utterance.onset + phone.onset + phone.duration)),
+            end=f"{snap(utterance.onset + phone.onset + phone.duration):.6f}",
             f0=_pitch(utterance, phone),
-            p=name_of(phone.ipa, language),
+            p=_clean(name_of(phone.ipa, language)) or SILENCE,
         )
     out.close("syllable")
 
