@@ -29,7 +29,7 @@ def test_every_rig_is_written(name: str, score: Path, tmp_path: Path) -> None:
     table, document = tmp_path / "face.csv", tmp_path / "face.json"
     for path in (table, document):
         done = run("curves", score, "-o", path, "--rig", name, "--fps", "24")
-        assert (done.exit_code, done.stdout) == (0, ""), done.stderr
+        assert (done.exit_code, done.stdout) == (0, f"{path}\n"), done.stderr
     assert lines(table)[0].endswith(",".join(rig_named(name).columns))
     assert json.loads(document.read_bytes())["rig"] == name
     piped = run("curves", score, "--rig", name, "--fps", "24")
