@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 
 from scorebreath.compose.models import BreathingModel
 from scorebreath.compose.state import BodyState, Spoken
@@ -15,7 +15,7 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup
 from scorebreath.score.document import Body, VoiceInfo
 from scorebreath.score.events import Event, Pause
-from scorebreath.script.marks import EmotionMark, Mark
+from scorebreath.script.marks import EmotionMark, Mark, VoiceMark
 from scorebreath.speech.model import Voice
 from scorebreath.units import snap
 
@@ -37,6 +37,12 @@ class Performer:
         self.state, placed = done
         self.events += placed
         self._express(placed, spoken)
+
+    def feel(self, marks: tuple[EmotionMark, ...]) -> None:
+        """Emotions right behind what it has said, before somebody else goes on."""
+        if marks and self.face.waiting:
+            *others, last = self.face.waiting
+            self.face = replace(self.face, waiting=(*others, replace(last, marks=(*last.marks, *marks))))
 
     def end(self, time: float) -> None:
         """All is over."""
@@ -84,6 +90,8 @@ class Ensemble:
     clock: float = 0.0
     """s; what is said next begins here"""
     performers: dict[str, Performer] = field(default_factory=dict)
+    speaker: Performer | None = None
+    """who spoke last"""
 
     def performer(self, name: str) -> Performer:
         """Who speaks with a voice; somebody new breathes at rest until now.
@@ -115,6 +123,9 @@ class Ensemble:
     def step(self, spoken: Spoken) -> Performer:
         """Somebody speaks a group; who it is."""
         who = self.performer(spoken.group.voice)
+        if self.speaker:
+            self.speaker.feel(emotions_left(spoken.group))
+        self.speaker = who
         who.go_on(self.breathing.rest(who.state, self.clock, "rest"))
         who.go_on(self.breathing.step(who.state, spoken), spoken)
         self.clock = who.state.time
@@ -156,7 +167,21 @@ class Ensemble:
 def emotions_in(group: BreathGroup) -> tuple[EmotionMark, ...]:
     """Emotions that the text asks for before, in and behind a group, in its order."""
     inner = (mark for word in group.words[:-1] for mark in word.after)
-    return tuple(mark for mark in (*group.before, *inner, *group.after) if isinstance(mark, EmotionMark))
+    return _emotions((*group.before[_changed(group) :], *inner, *group.after))
+
+
+def emotions_left(group: BreathGroup) -> tuple[EmotionMark, ...]:
+    """Emotions before a group that stand before its voice is named: they belong to whoever spoke until then."""
+    return _emotions(group.before[: _changed(group)])
+
+
+def _changed(group: BreathGroup) -> int:
+    """How many marks before a group stand before its voice."""
+    return max((number for number, mark in enumerate(group.before, 1) if isinstance(mark, VoiceMark)), default=0)
+
+
+def _emotions(marks: Iterable[Mark]) -> tuple[EmotionMark, ...]:
+    return tuple(mark for mark in marks if isinstance(mark, EmotionMark))
 
 
 def _silence(kind: str, onset: float, duration: float) -> Pause:
