@@ -34,6 +34,7 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
         "scorebreath render speech.txt -o out",
         "scorebreath render chapter1.txt chapter2.txt -o book --voice espeak:en-us+f3",
         "scorebreath render poem.txt -o out --poem --language de --set nose_share=0.8",
+        "scorebreath render poem.txt -o out --face albrecht-2002 --without gaze --rig arkit --rig livelink",
         "scorebreath render score.json -o out --engine scsynth --fps 30000/1001",
         "fortune | scorebreath render - -o - | aplay",
     )),
@@ -58,6 +59,7 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
         "scorebreath explain speech.txt",
         "scorebreath explain speech.txt --model bernardet-2017 --set length_utterance=12",
         "scorebreath explain score.json --json",
+        "scorebreath explain speech.txt --face albrecht-2002",
     )),
     ("norms", norms, LOOK, (
         "scorebreath norms out",

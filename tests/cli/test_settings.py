@@ -113,5 +113,5 @@ def test_who_speaks_with_another_voice_is_cast() -> None:
 
 def test_kinds_of_markup_are_known() -> None:
     assert CompileOptions().kind_of_markup() == "auto"
-    with pytest.raises(InputError, match="tags, ssml, .*none"):
+    with pytest.raises(InputError, match="tags, ssml, "):
         CompileOptions(markup="xml").kind_of_markup()

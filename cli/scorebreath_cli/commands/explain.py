@@ -64,12 +64,13 @@ def explain(
     With --face, show each thing the face does: when, how far, at which words, and by which rule; and how often each
     rule had its way.
     """
-    with reporting(lambda: printers.make(json_lines, inputs[0]), debug=debug) as printer:
+    given, face = _told_apart(inputs, of_face=of_face)
+    with reporting(lambda: printers.make(json_lines, given[0]), debug=debug) as printer:
         from scorebreath.errors import InputError
         from scorebreath_cli.inputs import read_source
         from scorebreath_cli.making import Compiler
 
-        script, face = _told_apart(inputs, of_face=of_face)
+        script = _only(given, of_face=of_face)
         options = CompileOptions(
             voice=voice, model=model, presets=tuple(preset or ()), assignments=tuple(assign or ()),
             states=tuple(state or ()), markup=markup, seed=seed, language=language, poem=poem,
@@ -89,22 +90,25 @@ def explain(
             printer.done(Status.DONE, groups=groups)
 
 
-def _told_apart(inputs: list[str], *, of_face: bool) -> tuple[str, str | None]:
-    """The input, and the face that was named behind `--face`, if any: an option of typer's has a value or has none.
+def _told_apart(inputs: list[str], *, of_face: bool) -> tuple[list[str], str | None]:
+    """Inputs, and the face that was named behind `--face`, if any: an option of typer's has a value or has none."""
+    from scorebreath.parameters.face_table import FACES
 
-    Raises:
-        InputError: There are several inputs.
-    """
+    if of_face and len(inputs) == 2:
+        for place in (1, 0):
+            if inputs[place] in FACES:
+                return [inputs[1 - place]], inputs[place]
+    return inputs, None
+
+
+def _only(inputs: list[str], *, of_face: bool) -> str:
     from scorebreath.errors import InputError, did_you_mean, shortened
     from scorebreath.parameters.face_table import FACES
 
-    faces = [given for given in inputs if given in FACES] if of_face and len(inputs) == 2 else []
-    if faces:
-        return next((given for given in inputs if given not in FACES), inputs[0]), faces[-1]
     if len(inputs) > 1:
         hint = did_you_mean(inputs[1], FACES) if of_face else ""
         raise InputError(f"{shortened(inputs[1], 40)}: explain takes one script or score{hint}")
-    return inputs[0], None
+    return inputs[0]
 
 
 def _explain_face(source: Source, compiler: Compiler, body: str | None, printer: Printer) -> None:
