@@ -17,6 +17,8 @@ USUAL = 6.0
 LEFT = (0.43, 1.7)
 """The left brow's least and most, relative to the right one's (physiology 7.5: 0.15 to 0.6 against 0.35)."""
 MINUTE = 60.0
+SEEN = 0.2
+"""s that a raise may be late and still belong to its accent (A54)."""
 APART = 0.3
 """s between two raises at least: closer ones are one."""
 
@@ -39,7 +41,8 @@ def brows(actor: Actor, scene: Scene, held: Sequence[tuple[Question, float]], co
         if draw < actor.face.brow_at_maximum and not any(_within(peak, question) for question in questions):
             raises.append((_onset(scene, peak, actor.state.time), peak))
     ahead = sorted([*coming, *(question.onset for question in questions)])
-    for onset, what in sorted(raises, key=lambda item: item[0]):
+    for planned, what in sorted(raises, key=lambda item: item[0]):
+        onset = _delayed(actor, scene, planned) if isinstance(what, Peak) else planned
         if isinstance(what, Peak):
             near = any(-1e-9 < later - onset < _apart(actor) for later in ahead)
             if not near and _rested(actor, onset):
@@ -52,6 +55,13 @@ def _onset(scene: Scene, peak: Peak, low: float) -> float:
     early = peak.time - 0.5
     begun = peak.syllable if peak.syllable is not None and peak.syllable > early else peak.time - RISE + LEAD
     return scene.edge(min(begun, peak.time) - LEAD, max(low, 0.0))
+
+
+def _delayed(actor: Actor, scene: Scene, onset: float) -> float:
+    """A raise right behind another one comes a little later, where that is soon enough to be seen as one with it."""
+    free = actor.memory.raised[-1] + APART if actor.memory.raised else onset
+    later = scene.edge(free, free)
+    return later if onset < free and later - onset <= SEEN else onset
 
 
 def _within(peak: Peak, question: Question) -> bool:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from scorebreath.expression.actor import Actor
 from scorebreath.expression.coordination import PausePlan
@@ -134,22 +135,23 @@ def _glances(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> list[_G
 def _chosen(actor: Actor, scene: Scene, pauses: Sequence[_Glance]) -> list[bool]:
     """For each accented syllable whether it comes with a glance.
 
-    Where the eyes are at the listener anyway, because of a pause just before, it does; the chance of all others is so
-    much lower that their share is what was asked for. Syllables too close for the eyes to come and go share a draw.
+    Syllables too close for the eyes to come and go share a chance. Where the eyes are at the listener anyway, because
+    of a pause just before, there is a glance; the chance of all others is so much lower that their share is what was
+    asked for.
     """
     draws = actor.draws("glance", len(scene.accents))
     sure = [
         accent.onset < scene.onset + NARROW or any(p.onset <= accent.onset < p.end + NARROW for p in pauses)
         for accent in scene.accents
     ]
+    for number, (accent, after) in enumerate(pairwise(scene.accents), 1):
+        if after.onset - accent.end < SWITCH:
+            draws[number] = draws[number - 1]
+            sure[number] = sure[number] or sure[number - 1]
     others = sure.count(False)
     chance = (actor.face.glance_at_accent * len(sure) - sure.count(True)) / others if others else 0.0
-    chosen = []
-    for number, accent in enumerate(scene.accents):
-        if number and accent.onset - scene.accents[number - 1].end < SWITCH:
-            draws[number] = draws[number - 1]
-        chosen.append((sure[number] and actor.face.glance_at_accent > 0.0) or draws[number] < chance)
-    return chosen
+    never = actor.face.glance_at_accent <= 0.0
+    return [not never and (known or draw < chance) for known, draw in zip(sure, draws, strict=True)]
 
 
 def _before(scene: Scene, time: float) -> float:
@@ -189,7 +191,7 @@ def _runs(actor: Actor, scene: Scene, glances: Sequence[_Glance], searches: Sequ
     away = list(must)
     left = (1.0 - actor.face.look_at_listener) * (scene.end - scene.onset) - sum(high - low for low, high in away)
     for low, high in sorted(may, key=lambda gap: gap[0] - gap[1]):
-        if left >= 0.5 * (high - low):
+        if left >= 0.8 * (high - low):
             away.append((low, high))
             left -= high - low
     others = [_Run(onset=low, end=high) for low, high in away]

@@ -86,7 +86,7 @@ def _enter(actor: Actor, bounds: Bounds) -> None:
         actor.note(run_until=bounds.since + min(length, THOUGHT), run=actor.memory.eyes)
     if plan.blink is not None and free(actor, plan.blink):
         blink(actor, plan.blink, "pause", until=bounds.since + length - LONGEST)
-    if plan.glance is not None and abs(due(actor) - plan.glance) < APART:
+    if plan.glance is not None and abs(max(due(actor), bounds.since) - plan.glance) < APART:
         actor.note(blink_due=plan.glance + APART + 0.01)
 
 
