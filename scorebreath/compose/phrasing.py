@@ -144,7 +144,8 @@ def _divided(speech: Utterance, part: Part, sentences: Sequence[_Sentence], lang
             ending = ending._replace(tone=_tone(asked, language))
         if place is not None and place.told is not None:
             told = place.told
-            ending = ending._replace(break_index=told.break_index or ending.break_index, tone=told.tone or ending.tone)
+            strength = None if told.joined else told.break_index
+            ending = ending._replace(break_index=strength or ending.break_index, tone=told.tone or ending.tone)
         yield _Phrase(
             onset=speech.words[first].onset,
             end=word.onset + word.duration,
@@ -175,7 +176,8 @@ def _strongest(words: Sequence[ScriptWord], first: int, stop: int) -> ScriptWord
 
 def _ending(word: ScriptWord | None, *, heard: bool, over: bool) -> Ending | None:
     """How a phrase ends behind a word, or None: it does not."""
-    if word is not None and word.edge in EDGES:
+    joined = word is not None and word.told is not None and word.told.joined and word.edge not in CLOSING
+    if word is not None and word.edge in EDGES and not joined:
         ending = EDGES[word.edge]
         if word.edge == "semicolon":
             said = word.spoken.text

@@ -32,6 +32,11 @@ class Told:
         """Whether a phrase ends behind the word: from break index 3 on, or where a tone or a silence stands."""
         return (self.break_index or 0) >= 3 or bool(self.tone) or bool(self.pause)
 
+    @property
+    def joined(self) -> bool:
+        """Whether it is told that no phrase ends behind the word."""
+        return self.break_index is not None and not self.boundary
+
 
 def together(told: Sequence[Told]) -> Told:
     """What several tokens tell of the one word that they make; the boundary is the last one's.

@@ -251,6 +251,15 @@ def test_phrases_end_where_they_end() -> None:
     assert told(words(RAW.format("en", "One, <t>two</t> <boundary breakindex='none'/> three"))["two"]).break_index == 1
 
 
+def test_a_told_boundary_says_whether_a_phrase_ends() -> None:
+    assert Told(break_index=1).joined
+    assert not Told(break_index=1).boundary
+    assert Told(break_index=3).boundary
+    assert Told(break_index=1, tone="h-").boundary
+    assert not Told(break_index=1, pause=0.1).joined
+    assert not Told(accent="h*").joined
+
+
 def test_a_boundary_before_all_is_a_pause() -> None:
     found = raw("<boundary duration='100'/>One")
     assert (found.text, found.told, found.marks[0].at) == ("One", (), 0)
