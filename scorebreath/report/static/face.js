@@ -85,7 +85,7 @@ const face = (() => {
 
   function mouth(pose, s) {
     const closed = pose.lip_close, tuck = pose.lip_tuck * (1 - closed), round = clamp(pose.lip_round + s.round, 0, 1), spread = pose.lip_spread;
-    const open = aperture(pose), gap = Math.max(46 * open * (1 - .3 * round), 5 * tuck), press = clamp(closed * .8 + s.press, 0, 1);
+    const open = aperture(pose), gap = Math.max(54 * open * (1 - .3 * round), 5 * tuck), press = clamp(closed * .8 + s.press, 0, 1);
     const wide = 37 + 7 * spread - 15 * round + 10 * s.smile * (1 - .5 * round) + 8 * s.stretch - .08 * gap - 2 * s.droop;
     const lift = 11 * s.smile - 8 * s.droop - 3 * s.stretch, left = -lift, right = -lift - 8 * s.smirk, ax = -wide - 2 * s.smirk, bx = wide;
     // One arc through both corners; the opening is what lies between it bent up and bent down.
@@ -102,7 +102,7 @@ const face = (() => {
     path("face-seam", "M", ax, right, ...lower);
     fade("face-seam", 1 - clamp(gap / 6, 0, 1));
     // Teeth hang from above; the lower lip under them shows them in f and v. The tongue lies below.
-    const teeth = y + 8 - 3 * round + 4 * tuck;
+    const teeth = y + 3 + 6 * Math.min(1, 2 * open) * (1 - .4 * round) + 5 * tuck;
     path("face-teeth", "M", -wide, y - 22, "L", wide, y - 22, "L", wide, teeth - 4 - 4 * s.smile, "C", wide * .5, teeth, -wide * .5, teeth, -wide, teeth - 4 - 4 * s.smile, "Z");
     move("face-tongue", 0, mid(low) + 7 - 12 * pose.tongue_tip * open);
     // The corners, the shade under the lip, and what a smile folds.
@@ -116,8 +116,8 @@ const face = (() => {
 
   function body(pose, gain) {
     const up = 9 * pose.shoulder * gain, out = 6 * clamp(pose.thorax * gain, -1, 2);
-    path("face-shirt", "M", -44, 214, "C", -70, 232 - up, -128 - out, 236 - up, -152 - out, 262 - up, "C", -172 - out, 284 - up, -178 - out, 330, -180 - out, 400,
-      "L", 180 + out, 400, "C", 178 + out, 330, 172 + out, 284 - up, 152 + out, 262 - up, "C", 128 + out, 236 - up, 70, 232 - up, 44, 214, "C", 30, 240, -30, 240, -44, 214, "Z");
+    path("face-shirt", "M", -44, 214, "C", -64, 231 - up, -104 - out, 235 - up, -120 - out, 258 - up, "C", -134 - out, 280 - up, -139 - out, 330, -141 - out, 400,
+      "L", 141 + out, 400, "C", 139 + out, 330, 134 + out, 280 - up, 120 + out, 258 - up, "C", 104 + out, 235 - up, 64, 231 - up, 44, 214, "C", 30, 240, -30, 240, -44, 214, "Z");
     path("face-collar", "M", -47, 212, "C", -34, 246, 34, 246, 47, 212);
   }
 
