@@ -66,7 +66,7 @@ def compile_text(
         lead: Time before the first breath, s.
         tail: Time after the body has come back to rest, s.
         file: Name of the text, for messages.
-        markup: What stands in the text besides words: `tags`, `ssml`, `none`; `auto`: as it looks.
+        markup: What stands in the text besides words: `tags`, `ssml`, `maryxml`, `none`; `auto`: as it looks.
         states: States the body is in from the beginning, with their intensities (`parameters.states`); none fades by
             itself.
         voices: Opens a voice by its name, for texts that change the voice; the caller closes it.
