@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from hypothesis import strategies as st
 
+from scorebreath.curves.curve_set import curves
+from scorebreath.curves.rigs.rig import Rig
+from scorebreath.curves.rigs.table import rig_named
 from scorebreath.score.acting import EMOTIONS
 from scorebreath.score.document import Score
 from scorebreath.score.events import Blink, Brow, Emotion, Event, Gaze, Head, Utterance
 from scorebreath.units import snap
-from tests.curves.scores import Breath, build, on_grid, phones, utterance
+from tests.curves.scores import Breath, build, on_grid, phones, score_of, utterance
 
 FACE = ("blink", "brow", "head", "gaze", "emotion")
 
@@ -91,6 +94,18 @@ def speaking(score: Score, said: Sequence[str] = ("p", "a", "f", "uː", "θ", "i
 def said_in(seconds: float, *said: str) -> Utterance:
     """An utterance of phones of equal length from time 0."""
     return dataclasses.replace(utterance(Breath(speech=seconds), 0.0, 0), phones=phones(seconds, said))
+
+
+def shown(rig: str | Rig, score: Score, at: float, *, gate: bool = True) -> Mapping[str, float]:
+    """A rig's columns at one moment."""
+    found = rig_named(rig) if isinstance(rig, str) else rig
+    values = found.sample(curves(score, closure_gate=gate), [at])[0].tolist()
+    return dict(zip(found.columns, values, strict=True))
+
+
+def only(*events: Event) -> Score:
+    """A Score of ten seconds with those events and no others."""
+    return score_of(events, duration=10.0)
 
 
 @st.composite

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from scorebreath.curves.channels import CHANNELS
@@ -23,7 +23,14 @@ from tests.curves.talk import CLOSED, Said, aperture, fine, lips_of, sample, str
 COUNTED = settings(max_examples=60, deadline=None)
 REACH = 0.5
 SPEEDS = np.array([next(c.speed for c in CHANNELS if c.name == name) for name in LIP_CHANNELS], dtype=np.float64)
+ROUND = LIP_CHANNELS.index("lip_round")
 RATES = (Fraction(24), Fraction(24000, 1001), Fraction(25), Fraction(30), Fraction(60))
+
+CROWD: Said = [
+    ("ħ", 0.045), ("ɢ", 0.045), *((ipa, 0.005) for ipa in "ɑaɒʔaɑʌɒ"), ("ŋ", 0.08), ("ʡ", 0.02), ("ɖ", 0.06),
+    ("q", 0.012), ("ɸ", 0.045), ("q", 0.045), ("ʄ", 0.06), ("ɭ", 0.02), ("ʢ", 0.005), ("a", 0.03), ("ᵻ", 0.012),
+]  # fmt: skip
+"""Very short open vowels that together outweighed what follows, found by search."""
 
 
 def length(said: Said) -> float:
@@ -32,6 +39,7 @@ def length(said: Said) -> float:
 
 @COUNTED
 @given(strings(), st.booleans())
+@example(CROWD, False)
 def test_no_channel_leaves_its_range_or_jumps(said: Said, gate: bool) -> None:
     step = 0.0005
     values = sample(lips_of(utterance_of(said, 1.0)), fine(0.3, 1.8 + length(said), step), gate=gate)
@@ -129,7 +137,10 @@ def test_swapping_the_sides_mirrors_the_curve() -> None:
     other = dataclasses.replace(lips, before=lips.after, after=lips.before)
     away = np.linspace(0.0, 0.25, 50)
     assert not np.array_equal(lips.before, lips.after)
-    np.testing.assert_allclose(sample(lips, 1.05 - away), sample(other, 1.05 + away), atol=1e-12)
+    early, late = sample(lips, 1.05 - away), sample(lips, 1.05 + away)
+    np.testing.assert_allclose(early, sample(other, 1.05 + away), atol=1e-12)
+    assert np.all(early >= late - 1e-12)  # a rounded sound is anticipated further than it lasts
+    assert early[20, ROUND] > late[20, ROUND]
 
 
 def test_two_contacts_in_a_row_are_one() -> None:

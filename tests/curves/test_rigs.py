@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,15 +12,13 @@ from hypothesis import strategies as st
 from scorebreath.curves.channels import CHANNELS
 from scorebreath.curves.curve_set import curves
 from scorebreath.curves.rigs.drivers import DRIVERS
-from scorebreath.curves.rigs.rig import Rig, factors
-from scorebreath.curves.rigs.table import RIGS, read_rig, rig_named
+from scorebreath.curves.rigs.rig import factors
+from scorebreath.curves.rigs.table import RIGS, rig_named
 from scorebreath.errors import InputError
 from scorebreath.score.acting import EMOTIONS
 from scorebreath.score.document import Score
-from scorebreath.score.events import Event
-from tests.curves.acts import breathe_in, performances
-from tests.curves.faces import blink, brow, emotion, gaze, head, said_in, whole_face
-from tests.curves.scores import score_of
+from tests.curves.acts import performances
+from tests.curves.faces import blink, brow, emotion, gaze, head, only, shown, whole_face
 
 COUNTED = settings(max_examples=20, deadline=None)
 APPLE = [
@@ -38,17 +34,6 @@ APPLE = [
 ]  # fmt: skip
 KHRONOS = ["sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou"]
 RADIAN, AU = np.pi / 180, 1e5 * np.pi / 180
-
-
-def shown(rig: str | Rig, score: Score, at: float, *, gate: bool = True) -> Mapping[str, float]:
-    """A rig's columns at one moment."""
-    found = rig_named(rig) if isinstance(rig, str) else rig
-    values = found.sample(curves(score, closure_gate=gate), [at])[0].tolist()
-    return dict(zip(found.columns, values, strict=True))
-
-
-def only(*events: Event) -> Score:
-    return score_of(events, duration=10.0)
 
 
 @pytest.mark.parametrize("name", RIGS)
@@ -219,186 +204,3 @@ def test_a_lid_that_shuts_is_not_wide(rig: str, wide: str, shut: str) -> None:
     assert (found[wide], found[shut]) == (0.0, 1.0)
     assert before[wide] == pytest.approx(0.7 * 0.9)
     assert shown("fap", score, 2.0)["close_t_l_eyelid"] == pytest.approx(10 * 1024 / 12)
-
-
-# -- lips
-
-
-def closures(*events: Event) -> tuple[Score, np.ndarray]:
-    """Speech full of p, b and m with an open vowel between, and moments within its closures."""
-    score = only(said_in(2.4, "a", "p", "a", "b", "a", "m", "a", "a"), *events)
-    times = np.arange(0, 2.6, 1 / 240)
-    return score, times[curves(score).sample(times, ["lip_close"])[:, 0] >= 0.98]
-
-
-FEELINGS = [emotion(name, 0.0, duration=2.6, apex=1.3) for name in EMOTIONS]
-
-
-@pytest.mark.parametrize("feeling", FEELINGS, ids=EMOTIONS)
-def test_no_emotion_opens_p_b_m(feeling: Event) -> None:
-    """Design, Mixing: aperture at most 2 % in closures; mouthClose at most jawOpen everywhere."""
-    score, shut = closures(feeling)
-    assert len(shut) >= 3 * 0.05 * 240
-    arkit = rig_named("arkit")
-    jaw, close = arkit.sample(curves(score), shut, ["jawOpen", "mouthClose"]).T
-    assert np.all(close <= jaw) and float(np.max(jaw - close)) <= 0.02
-    parting = ["mouthFunnel", "mouthLowerDownLeft", "mouthLowerDownRight", "mouthUpperUpLeft", "mouthUpperUpRight"]
-    assert np.max(arkit.sample(curves(score), shut, parting)) <= 0.02
-    everywhere = arkit.sample(curves(score), np.arange(0, 3, 0.007), ["jawOpen", "mouthClose"])
-    assert np.all(everywhere[:, 1] <= everywhere[:, 0])
-    lips = rig_named("fap").sample(curves(score), shut, ["raise_b_midlip", "lower_t_midlip", "raise_b_lip_lm"])
-    assert np.max(np.abs(lips)) <= 0.02 * 1536
-    muscles = rig_named("muscles").sample(
-        curves(score), shut, ["orbicularis_oris_marginal", "depressor_labii_inferioris_left"]
-    )
-    assert np.min(muscles[:, 0]) >= 0.98 and np.max(muscles[:, 1]) <= 0.02
-    assert np.min(rig_named("oculus").sample(curves(score), shut, ["PP"])) >= 0.98
-
-
-def test_without_the_gate_it_is_the_paper_s_plain_sum() -> None:
-    """A18, A43: contractions of speech and of emotion add up, and nothing else happens to them."""
-    score, shut = closures(FEELINGS[EMOTIONS.index("surprised")])
-    times = np.arange(0, 2.6, 0.005)
-    plain, gated = curves(score, closure_gate=False), curves(score)
-    rig = rig_named("muscles")
-    found = rig.sample(plain, times, ["digastric", "levator_labii_superioris_left", "zygomatic_major_left"])
-    names = ["jaw_open", "mouth_open", "lip_round", "lip_tuck", "lip_spread", "emotion_surprised"]
-    jaw, breath, rounded, tuck, spread, felt = plain.sample(times, names).T
-    np.testing.assert_allclose(found[:, 0], np.clip(np.maximum(jaw, breath) + 0.35 * felt, 0, 1), atol=1e-12)
-    np.testing.assert_allclose(found[:, 1], np.clip(0.2 * jaw * (1 - rounded) + 0.15 * tuck, 0, 1), atol=1e-12)
-    np.testing.assert_allclose(found[:, 2], np.clip(0.6 * spread, 0, 1), atol=1e-12)
-    open_ = rig_named("arkit").sample(plain, shut, ["jawOpen"]) - rig_named("arkit").sample(plain, shut, ["mouthClose"])
-    assert np.max(open_) > 0.2  # which is why there is a gate
-    assert curves(score).closure_gate and gated.closure_gate
-
-
-@pytest.mark.parametrize("name", RIGS)
-def test_outside_closures_the_sum_is_exact(name: str) -> None:
-    score, _ = closures(*FEELINGS[:2])
-    rig, times = rig_named(name), np.arange(0, 2.6, 0.002)
-    gated, plain = curves(score), curves(score, closure_gate=False)
-    channels = ["lip_close", "jaw_open", "lip_round", "lip_spread", "lip_tuck", "tongue_tip", "tongue_back"]
-    same = np.all(gated.sample(times, channels) == plain.sample(times, channels), axis=1)
-    same &= gated.sample(times, ["lip_close"])[:, 0] <= 0.5
-    assert same.sum() > 400 and not same.all()
-    assert np.array_equal(rig.sample(gated, times)[same], rig.sample(plain, times)[same])
-
-
-def test_a_breath_opens_the_mouth_of_every_rig() -> None:
-    score = only(breathe_in(duration=1.0, mouth_open=0.3))
-    assert shown("arkit", score, 0.4)["jawOpen"] == pytest.approx(0.3)
-    assert shown("livelink", score, 0.4)["JawOpen"] == pytest.approx(0.3)
-    assert shown("muscles", score, 0.4)["digastric"] == pytest.approx(0.3)
-    assert shown("fap", score, 0.4)["open_jaw"] == pytest.approx(0.3 * 25 / 20 * 1024)
-    found = shown("oculus", score, 0.4)
-    assert found["aa"] > 0.45 and found["aa"] + found["sil"] == pytest.approx(1.0, abs=0.02)
-    assert shown("arkit", score, 0.4)["nostrilDilateLeft"] == pytest.approx(0.2)
-    assert shown("livelink", score, 0.4)["NoseSneerLeft"] == pytest.approx(0.05)
-
-
-@pytest.mark.parametrize(
-    ("phone", "viseme"),
-    [
-        ("p", {"PP"}), ("b", {"PP"}), ("m", {"PP"}), ("f", {"FF"}), ("v", {"FF"}), ("θ", {"TH"}), ("t", {"DD", "nn"}),
-        ("d", {"DD", "nn"}), ("n", {"DD", "nn"}), ("k", {"kk"}), ("ɡ", {"kk"}), ("ʃ", {"CH"}), ("s", {"SS"}),
-        ("ɹ", {"RR"}),
-        ("ɑ", {"aa"}), ("a", {"aa"}), ("ɛ", {"E"}), ("iː", {"ih"}), ("ɪ", {"ih"}), ("ɔ", {"oh"}), ("uː", {"ou"}),
-        ("", {"sil"}),
-    ],
-)  # fmt: skip
-def test_a_long_phone_shows_its_viseme(phone: str, viseme: set[str]) -> None:
-    found = shown("oculus", only(said_in(1.5, "", phone, "")), 0.75)
-    weights = {name: found[name] for name in KHRONOS}
-    assert max(weights, key=weights.__getitem__) in viseme, weights
-    assert sum(weights.values()) == pytest.approx(1.0)
-
-
-def test_visemes_add_up_to_one_and_move_without_steps() -> None:
-    score = only(said_in(3.0, "p", "a", "f", "uː", "θ", "iː", "k", "ɔ", "m", "ʃ", "s", "n"))
-    times = np.arange(0, 3.2, 0.001)
-    weights = rig_named("oculus").sample(curves(score), times, KHRONOS)
-    np.testing.assert_allclose(weights.sum(axis=1), 1.0, atol=1e-9)
-    assert np.max(np.abs(np.diff(weights, axis=0))) < 0.2
-
-
-def test_round_lips_are_a_funnel_or_a_pucker() -> None:
-    """Physiology 7.3: ou is a pucker, oh and sh are funnels."""
-    for phone, most in (("uː", "mouthPucker"), ("ɔ", "mouthFunnel"), ("ʃ", "mouthFunnel")):
-        found = shown("arkit", only(said_in(1.5, "", phone, "")), 0.75)
-        other = "mouthFunnel" if most == "mouthPucker" else "mouthPucker"
-        assert found[most] > 0.25 and found[most] > found[other], phone
-    assert shown("arkit", only(said_in(1.5, "", "f", "")), 0.75)["mouthRollLower"] > 0.3
-    assert shown("arkit", only(said_in(1.5, "", "ɑ", "")), 0.75)["jawOpen"] > 0.45
-    smile = shown("arkit", only(said_in(1.5, "", "iː", "")), 0.75)
-    assert smile["mouthSmileLeft"] == smile["mouthSmileRight"] > 0.15
-
-
-# -- rigs of one's own
-
-
-def test_a_rig_like_another_changes_what_it_says() -> None:
-    rig = read_rig("mine", """
-        like = "arkit"
-        order = ["jawOpen", "headYaw", "smile", "mood"]
-        [units]
-        percent = 100.0
-        [columns]
-        headYaw = { from = { head_yaw = -2.0 }, low = -90, high = 90, unit = "deg", negative = "allow" }
-        smile = { from = { lip_spread = 0.5 }, unit = "percent" }
-        mood = { from = { thorax = 1.0 }, negative = "offset" }
-        [emotions.happy]
-        smile = 0.4
-    """)  # fmt: skip
-    assert rig.columns == ("jawOpen", "headYaw", "smile", "mood")
-    found = shown(rig, only(head(1.0, yaw=8.0), emotion("happy", 0.4)), 1.4)
-    assert (found["headYaw"], found["smile"], found["jawOpen"]) == pytest.approx((-16.0, 40.0, 0.0))
-    assert found["mood"] == 0.5
-    assert rig.table[2].high == 100.0
-    breath = shown(rig, only(breathe_in(duration=1.0)), 0.9)
-    thorax = curves(only(breathe_in(duration=1.0))).sample([0.9], ["thorax"])[0, 0]
-    assert breath["mood"] == pytest.approx(0.5 + 0.5 * thorax) != 0.5
-
-
-@pytest.mark.parametrize(
-    ("text", "words"),
-    [
-        ("columns", "rig mine: no TOML"),
-        ("[colums]", "rig mine: section 'colums' is unknown; did you mean columns?"),
-        ("", r"rig mine: \[columns\] is empty"),
-        ('like = "bones"', "rig mine: like = 'bones'; expected one of arkit, livelink"),
-        ("columns = 3", "rig mine: columns = 3; expected a table"),
-        ("[columns]\na = 3", "rig mine: a = 3; expected a table"),
-        ('[columns]\na = { form = {} }', "rig mine: a: key 'form' is unknown; did you mean from?"),
-        ("[columns]\na = { from = { jaw = 1 } }", "rig mine: a: from 'jaw' is unknown; did you mean jaw_open"),
-        ("[columns]\na = { from = 3 }", "rig mine: a: from = 3; expected a table"),
-        ('[columns]\na = { from = { jaw_open = "1" } }', "rig mine: a: jaw_open = '1'; expected a number"),
-        ('[columns]\na = { from = { "a * b * c" = 3 } }', "rig mine: a: from 'a' is unknown"),
-        ('[columns]\na = { from = { "thorax * thorax * thorax" = 3 } }', "products of two at most"),
-        ("[columns]\na = { low = 2 }", "rig mine: a: low = 2 must be below high = 1"),
-        ("[columns]\na = { high = inf }", "rig mine: a: high = inf; expected a number"),
-        ('[columns]\na = { negative = "flip" }', "rig mine: a: negative = 'flip'; expected clip, offset, allow"),
-        ("[columns]\na = {}\n[emotions.hapy]\na = 1", "rig mine: emotions 'hapy' is unknown; did you mean happy?"),
-        ("[columns]\na = {}\n[emotions.happy]\nb = 1", "rig mine: happy: no column is called 'b'"),
-        ("[columns]\na = {}\n[closure]\nb = 1", "rig mine: closure: no column is called 'b'"),
-        ("[columns]\na = {}\n[closure]\na = 2", r"rig mine: closure: a = 2 must be in \[0, 1\]"),
-        ('[columns]\na = {}\n[closure]\na = "b"', "rig mine: closure: a 'b' is unknown"),
-        ('[columns]\na = {}\n[yields]\na = "b"', "rig mine: yields: a 'b' is unknown"),
-        ('order = ["b"]\n[columns]\na = {}', "rig mine: order 'b' is unknown"),
-        ('names = "upper"\n[columns]\na = {}', "rig mine: names = 'upper'; expected pascal"),
-        ("[columns]\na = {}\n[prototypes]\nchannels = ['jaw_open']\nwidths = [0]\n[prototypes.points]\nv = [1]",
-         "rig mine: prototypes: expected 1 numbers a row, and widths above 0"),
-    ],
-)  # fmt: skip
-def test_a_broken_rig_is_refused_where_it_is_broken(text: str, words: str) -> None:
-    with pytest.raises(InputError, match=words):
-        read_rig("mine", text)
-
-
-def test_a_rig_is_found_by_name_or_path(tmp_path: Any) -> None:
-    with pytest.raises(InputError, match="no rig is called 'arkti'; did you mean arkit"):
-        rig_named("arkti")
-    with pytest.raises(InputError, match="cannot be read"):
-        rig_named(str(tmp_path / "none.toml"))
-    path = tmp_path / "puppet.toml"
-    path.write_text("[columns]\nmouth = { from = { mouth = 1.0 } }\n")
-    assert dataclasses.replace(rig_named(str(path)), table=()).name == "puppet"

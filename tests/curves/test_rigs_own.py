@@ -1,0 +1,82 @@
+"""Rigs of one's own: TOML tables, and what is said of broken ones."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import pytest
+
+from scorebreath.curves.curve_set import curves
+from scorebreath.curves.rigs.table import read_rig, rig_named
+from scorebreath.errors import InputError
+from tests.curves.acts import breathe_in
+from tests.curves.faces import emotion, head, only, shown
+
+
+def test_a_rig_like_another_changes_what_it_says() -> None:
+    rig = read_rig("mine", """
+        like = "arkit"
+        order = ["jawOpen", "headYaw", "smile", "mood"]
+        [units]
+        percent = 100.0
+        [columns]
+        headYaw = { from = { head_yaw = -2.0 }, low = -90, high = 90, unit = "deg", negative = "allow" }
+        smile = { from = { lip_spread = 0.5 }, unit = "percent" }
+        mood = { from = { thorax = 1.0 }, negative = "offset" }
+        [emotions.happy]
+        smile = 0.4
+    """)  # fmt: skip
+    assert rig.columns == ("jawOpen", "headYaw", "smile", "mood")
+    found = shown(rig, only(head(1.0, yaw=8.0), emotion("happy", 0.4)), 1.4)
+    assert (found["headYaw"], found["smile"], found["jawOpen"]) == pytest.approx((-16.0, 40.0, 0.0))
+    assert found["mood"] == 0.5
+    assert rig.table[2].high == 100.0
+    breath = shown(rig, only(breathe_in(duration=1.0)), 0.9)
+    thorax = curves(only(breathe_in(duration=1.0))).sample([0.9], ["thorax"])[0, 0]
+    assert breath["mood"] == pytest.approx(0.5 + 0.5 * thorax) != 0.5
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("columns", "rig mine: no TOML"),
+        ("[colums]", "rig mine: section 'colums' is unknown; did you mean columns?"),
+        ("", r"rig mine: \[columns\] is empty"),
+        ('like = "bones"', "rig mine: like = 'bones'; expected one of arkit, livelink"),
+        ("columns = 3", "rig mine: columns = 3; expected a table"),
+        ("[columns]\na = 3", "rig mine: a = 3; expected a table"),
+        ('[columns]\na = { form = {} }', "rig mine: a: key 'form' is unknown; did you mean from?"),
+        ("[columns]\na = { from = { jaw = 1 } }", "rig mine: a: from 'jaw' is unknown; did you mean jaw_open"),
+        ("[columns]\na = { from = 3 }", "rig mine: a: from = 3; expected a table"),
+        ('[columns]\na = { from = { jaw_open = "1" } }', "rig mine: a: jaw_open = '1'; expected a number"),
+        ('[columns]\na = { from = { "a * b * c" = 3 } }', "rig mine: a: from 'a' is unknown"),
+        ('[columns]\na = { from = { "thorax * thorax * thorax" = 3 } }', "products of two at most"),
+        ("[columns]\na = { low = 2 }", "rig mine: a: low = 2 must be below high = 1"),
+        ("[columns]\na = { high = inf }", "rig mine: a: high = inf; expected a number"),
+        ('[columns]\na = { negative = "flip" }', "rig mine: a: negative = 'flip'; expected clip, offset, allow"),
+        ("[columns]\na = {}\n[emotions.hapy]\na = 1", "rig mine: emotions 'hapy' is unknown; did you mean happy?"),
+        ("[columns]\na = {}\n[emotions.happy]\nb = 1", "rig mine: happy: no column is called 'b'"),
+        ("[columns]\na = {}\n[closure]\nb = 1", "rig mine: closure: no column is called 'b'"),
+        ("[columns]\na = {}\n[closure]\na = 2", r"rig mine: closure: a = 2 must be in \[0, 1\]"),
+        ('[columns]\na = {}\n[closure]\na = "b"', "rig mine: closure: a 'b' is unknown"),
+        ('[columns]\na = {}\n[yields]\na = "b"', "rig mine: yields: a 'b' is unknown"),
+        ('order = ["b"]\n[columns]\na = {}', "rig mine: order 'b' is unknown"),
+        ('names = "upper"\n[columns]\na = {}', "rig mine: names = 'upper'; expected pascal"),
+        ("[columns]\na = {}\n[prototypes]\nchannels = ['jaw_open']\nwidths = [0]\n[prototypes.points]\nv = [1]",
+         "rig mine: prototypes: expected 1 numbers a row, and widths above 0"),
+    ],
+)  # fmt: skip
+def test_a_broken_rig_is_refused_where_it_is_broken(text: str, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        read_rig("mine", text)
+
+
+def test_a_rig_is_found_by_name_or_path(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="no rig is called 'arkti'; did you mean arkit"):
+        rig_named("arkti")
+    with pytest.raises(InputError, match="cannot be read"):
+        rig_named(str(tmp_path / "none.toml"))
+    path = tmp_path / "puppet.toml"
+    path.write_text("[columns]\nmouth = { from = { mouth = 1.0 } }\n")
+    assert dataclasses.replace(rig_named(str(path)), table=()).name == "puppet"
