@@ -38,7 +38,7 @@ LIVE_LINK = (
     "BrowOuterUpLeft,BrowOuterUpRight,CheekPuff,CheekSquintLeft,CheekSquintRight,NoseSneerLeft,NoseSneerRight,"
     "TongueOut,HeadYaw,HeadPitch,HeadRoll,LeftEyeYaw,LeftEyePitch,LeftEyeRoll,RightEyeYaw,RightEyePitch,RightEyeRoll\n"
 )
-"""As the app writes it, byte for byte (formats.md 1.1)."""
+"""As the takes of the app have it, byte for byte."""
 
 
 def written(name: str, **options: object) -> bytes:
@@ -147,7 +147,7 @@ def test_another_program_reads_live_link_s_table(tmp_path: Path) -> None:
 
 
 def test_a_fap_file_is_what_players_expect() -> None:
-    """formats.md 3.9: a header, then a mask of 68 and a line of whole numbers for each frame."""
+    """A header, then a mask of 68 and a line of whole numbers for each frame."""
     head, *lines = written("fap.fap", fps=Fraction(25)).decode("ascii").splitlines()
     count = frame_count(whole_face().duration, Fraction(25))
     assert head == f"2.1 body 25 {count}"
