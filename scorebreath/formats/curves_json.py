@@ -14,16 +14,21 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
-from typing import BinaryIO
+from tempfile import TemporaryFile
+from typing import IO, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
 
 from scorebreath.curves.channels import Channel
 from scorebreath.curves.curve_set import CurveSet
 from scorebreath.curves.rigs.rig import Column, Rig
 from scorebreath.formats.decimals import encode, whole
-from scorebreath.formats.frames import Sample, blocks, check_rate, frame_count
+from scorebreath.formats.frames import BLOCK, Sample, blocks, check_rate, frame_count
 
 SCHEMA = "scorebreath.curves/1"
 RIG_SCHEMA = "scorebreath.rig/1"
+Millionths = NDArray[np.int64]
 
 
 def write(stream: BinaryIO, curve_set: CurveSet, duration: float, fps: Fraction, *, rig: Rig | None = None) -> None:
@@ -52,22 +57,27 @@ def write(stream: BinaryIO, curve_set: CurveSet, duration: float, fps: Fraction,
         "frames": frame_count(duration, fps),
     }
     stream.write(_text(head)[:-1] + (b',"channels":[' if rig is None else b',"columns":['))
-    for number, name in enumerate(curve_set.channels if rig is None else rig.columns):
-        row = _channel(curve_set.channel(name)) if rig is None else _column(rig.column(name))
-        stream.write((b"," if number else b"") + b"\n" + _text(row)[:-1] + b',"values":[')
-        comma = b""
-        for _, values in blocks(_one(curve_set, rig, name), duration, fps):
-            stream.write(comma + encode(whole(values), b",", b",")[:-1])
-            comma = b","
-        stream.write(b"]}")
+    with TemporaryFile() as held:
+        columns = _sampled(held, curve_set, duration, fps, rig)
+        rows = [_channel(one) for one in curve_set.table] if rig is None else [_column(one) for one in rig.table]
+        for number, row in enumerate(rows):
+            stream.write((b"," if number else b"") + b"\n" + _text(row)[:-1] + b',"values":[')
+            for first in range(0, len(columns), BLOCK):
+                comma = b"," if first else b""
+                stream.write(comma + encode(columns[first : first + BLOCK, number, np.newaxis], b",", b",")[:-1])
+            stream.write(b"]}")
+        del columns
     stream.write(b"\n]}\n")
 
 
-def _one(curve_set: CurveSet, rig: Rig | None, name: str) -> Sample:
-    """One column alone, so that the memory stays bounded."""
-    if rig is None:
-        return lambda times: curve_set.sample(times, [name])
-    return lambda times: rig.sample(curve_set, times, [name])
+def _sampled(held: IO[bytes], curve_set: CurveSet, duration: float, fps: Fraction, rig: Rig | None) -> Millionths:
+    """All frames, sampled once and laid down on the disk: so the memory stays bounded, whatever the length."""
+    sample: Sample = curve_set.sample if rig is None else lambda times: rig.sample(curve_set, times)
+    for _, values in blocks(sample, duration, fps):
+        held.write(whole(values).tobytes())
+    held.flush()
+    width = len(curve_set.table if rig is None else rig.table)
+    return np.memmap(held, dtype=np.int64, mode="r", shape=(frame_count(duration, fps), width))
 
 
 def _channel(channel: Channel) -> dict[str, object]:
