@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from scorebreath.errors import shortened
 from scorebreath.script import emoticons
 from scorebreath.script.marks import EmotionMark
 from scorebreath.spans import Span
 
 BEHIND = 64
 """Code points before a sentence that may decide what an emoticon in it means."""
+LONGEST = 40
+"""Code points of a mark as written; of more emoji in a row not all are told."""
 
 
 @dataclass(slots=True, kw_only=True)
@@ -50,5 +53,9 @@ class Gatherer:
                 break
             self.done = origin + sign.span.end
             at = min(place, source.start) if place < letter else min(place, source.end)
-            marks.append(EmotionMark(at=at, written=sign.span.cut(whole), name=sign.name, intensity=sign.intensity))
+            marks.append(
+                EmotionMark(
+                    at=at, written=shortened(sign.span.cut(whole), LONGEST), name=sign.name, intensity=sign.intensity
+                )
+            )
         return marks
