@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import io
 import json
 import math
@@ -22,6 +23,7 @@ from scorebreath.formats.decimals import encode
 from scorebreath.formats.formats import FORMATS, ExportOptions, format_named
 from scorebreath.formats.frames import BLOCK, HIGHEST, frame_count
 from scorebreath.score.document import Score
+from scorebreath.score.events import Utterance
 from tests.curves.scores import Breath, build, score_of, scores
 
 NTSC = Fraction(30000, 1001)
@@ -101,6 +103,8 @@ def test_blocks_leave_no_seam() -> None:
 @pytest.mark.parametrize("name", ["curves.csv", "curves.json"])
 def test_golden_bytes(name: str, golden: Callable[[str, bytes], None]) -> None:
     score = build([Breath(speech=0.8, text="One two."), Breath(profile="sine", speech=0.6, text="Three.")])
+    events = [dataclasses.replace(e, phones=()) if isinstance(e, Utterance) else e for e in score.events]
+    score = dataclasses.replace(score, events=tuple(events))  # so that no table of phones changes the bytes
     stream = io.BytesIO()
     FORMATS[name].write(stream, score, ExportOptions(fps=NTSC))
     golden(f"formats/{name}", stream.getvalue())
@@ -146,8 +150,6 @@ def test_an_unknown_format_is_refused_with_the_known_ones() -> None:
 
 
 def test_a_score_of_two_bodies_asks_whose_curves() -> None:
-    import dataclasses
-
     score = build([Breath()])
     two = dataclasses.replace(score, bodies=(*score.bodies, dataclasses.replace(score.bodies[0], id="other")))
     with pytest.raises(InputError, match="'body', 'other'"):
