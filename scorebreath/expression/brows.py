@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from scorebreath.equations.looking import BROW_FASTEST, movement_time
+from scorebreath.expression.accents import Peak
 from scorebreath.expression.actor import Actor
-from scorebreath.expression.scene import Peak, Question, Scene
+from scorebreath.expression.scene import Question, Scene
 
 RISE, HOLD, FALL = 0.15, 0.15, 0.25
 """s of a raise (physiology 7.5: 300 to 600 ms in all)."""
@@ -90,8 +91,9 @@ def _accent(actor: Actor, onset: float, peak: Peak) -> None:
     left = height * min(LEFT[1], max(LEFT[0], peak.semitones / USUAL))
     rise, fall = (movement_time(left, BROW_FASTEST, least) for least in (RISE, FALL))
     times = (onset, onset + rise, onset + rise + HOLD, onset + rise + HOLD + fall)
+    rule = "brow at maximum" if peak.turn else "brow at accent"
     remember(actor, onset)
-    actor.brow(times, (left, height, 0.0), "brow at maximum", f"{peak.semitones:.1f} st on {peak.text!r}")
+    actor.brow(times, (left, height, 0.0), rule, f"{peak.semitones:.1f} st on {peak.text!r}")
 
 
 def _question(actor: Actor, onset: float, question: Question, until: float) -> None:

@@ -14,9 +14,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from scorebreath.expression.accents import Span
 from scorebreath.expression.actor import Actor
 from scorebreath.expression.coordination import PausePlan
-from scorebreath.expression.scene import Scene, Span
+from scorebreath.expression.scene import Scene
 from scorebreath.expression.search import Search
 
 GLANCE = 0.25

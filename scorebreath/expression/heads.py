@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from scorebreath.equations.looking import HEAD_FASTEST, NOD, movement_time
+from scorebreath.expression.accents import Peak
 from scorebreath.expression.actor import Actor
-from scorebreath.expression.scene import Peak, Question, Scene
+from scorebreath.expression.scene import Question, Scene
 
 SPREAD = 0.4
 """Rolls go from 1 - this to 1 + this times the usual angle."""
@@ -66,9 +67,10 @@ def _accent(actor: Actor, scene: Scene, peak: Peak, roll: float) -> None:
     room = max(1e-6, apex - onset)
     share = min(1.0, room / _needs(pitch, roll))
     pitch, roll = pitch * share, roll * share
-    end = max(scene.edge(peak.after, low), apex + _needs(pitch, roll))
+    slower = 2.0 if onset < actor.memory.head_until else 1.0  # it comes back from a question at the same time
+    end = max(scene.edge(peak.after, low), apex + slower * _needs(pitch, roll))
     why = f"{peak.semitones:.1f} st on {peak.text!r}" if peak.text else f"{peak.semitones:.1f} st"
-    actor.head((onset, apex, apex, end), pitch, roll, "head at maximum", why)
+    actor.head((onset, apex, apex, end), pitch, roll, "head at maximum" if peak.turn else "head at accent", why)
 
 
 def _at_or_before(scene: Scene, time: float) -> float:
@@ -87,4 +89,5 @@ def _question(actor: Actor, scene: Scene, held: tuple[Question, float], roll: fl
     apex = onset + _needs(pitch, roll)
     back = max(until, apex)
     end = back + movement_time(max(pitch, 1.5 * abs(roll)), HEAD_FASTEST, SETTLE)
+    actor.note(head_until=end)
     actor.head((onset, apex, back, end), pitch, roll, "question", f"on {question.text!r}")

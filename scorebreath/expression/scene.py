@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from scorebreath.expression.intonation import extrema, syllable
+from scorebreath.expression.accents import Peak, Span, accents, peaks
 from scorebreath.expression.state import Placed
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Phone, Phrase, Utterance, Word
 from scorebreath.script.accents import is_hesitation
@@ -21,20 +21,6 @@ NEAR = 0.05
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Span:
-    """A stretch of time; seconds from the Score's start."""
-
-    onset: float
-    end: float
-    text: str = ""
-    """the word or words"""
-
-    def __contains__(self, time: float) -> bool:
-        """Whether a time lies within, its end left out."""
-        return self.onset <= time < self.end
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Silence(Span):
     """A pause inside a group."""
 
@@ -42,20 +28,6 @@ class Silence(Span):
     """between two utterances: there are no phones' boundaries to keep to"""
     search: bool
     """whether a word is searched for in it"""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Peak:
-    """A pitch maximum, between the two minima around it."""
-
-    before: float
-    time: float
-    after: float
-    semitones: float
-    """above the voice's low tone"""
-    syllable: float | None
-    """onset of its accented syllable"""
-    text: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -139,8 +111,8 @@ def scene(placed: Placed, language: str) -> Scene:
         end=sounds[-1].end,
         edges=tuple(sorted(edges)),
         stressed=tuple(_span(u, p) for u in utterances for p in u.phones if p.stress == 1),
-        accents=tuple(accent for utterance in utterances for accent in _accents(utterance)),
-        peaks=tuple(peak for utterance in utterances for peak in _peaks(utterance)),
+        accents=tuple(accent for utterance in utterances for accent in accents(utterance)),
+        peaks=tuple(peak for utterance in utterances for peak in peaks(utterance)),
         silences=silences,
         phrases=tuple(Span(onset=each.onset, end=each.end) for each in phrases),
         asking=tuple(Span(onset=each.onset, end=each.end) for each in asking),
@@ -158,36 +130,6 @@ def _sounds(utterance: Utterance) -> list[Span]:
     """Phones that are heard; of a voice that tells none, the whole utterance."""
     heard = [_span(utterance, phone) for phone in utterance.phones if phone.ipa]
     return heard or [Span(onset=utterance.onset, end=utterance.end)]
-
-
-def _accents(utterance: Utterance) -> list[Span]:
-    """The accented syllable of each accented word."""
-    phones: dict[int, list[Phone]] = {}
-    for phone in utterance.phones:
-        if phone.word is not None and phone.ipa and utterance.words[phone.word].accent:
-            phones.setdefault(phone.word, []).append(phone)
-    found = []
-    for word, own in phones.items():
-        low, high = syllable(own)
-        found.append(Span(onset=utterance.onset + low, end=utterance.onset + high, text=utterance.words[word].text))
-    return sorted(found, key=lambda span: span.onset)
-
-
-def _peaks(utterance: Utterance) -> list[Peak]:
-    turns = extrema(utterance)
-    peaks = []
-    for number, turn in enumerate(turns):
-        if turn.kind == "maximum":
-            before = next((t.time for t in reversed(turns[:number]) if t.kind == "minimum"), 0.0)
-            after = next((t.time for t in turns[number + 1 :] if t.kind == "minimum"), utterance.duration)
-            peaks.append(
-                Peak(
-                    before=utterance.onset + before, time=utterance.onset + turn.time, after=utterance.onset + after,
-                    semitones=turn.semitones, text="" if turn.word is None else utterance.words[turn.word].text,
-                    syllable=None if turn.syllable is None else utterance.onset + turn.syllable[0],
-                )
-            )  # fmt: skip
-    return peaks
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -57,6 +57,8 @@ class Memory:
     """s; when the last blink is over"""
     winks: tuple[tuple[float, float], ...] = ()
     """s; onsets and ends of winks to come"""
+    head_until: float = -1.0
+    """s; when the head is back from the last question"""
     raised: tuple[float, ...] = ()
     """s; onsets of the last minute's raises of the brows"""
 
