@@ -14,7 +14,7 @@ SPEEDS = {channel.name: channel.speed for channel in CHANNELS}
 CLASSES = {
     "bilabial": {"bilabial"}, "bilabial_open": {"bilabial_open"}, "labiodental": {"labiodental"},
     "labiodental_open": {"labiodental"}, "rounded": {"rounded"}, "hushing": {"hushing"}, "dental": {"tip"},
-    "alveolar": {"tip"}, "sibilant": {"tip"}, "retroflex": {"tip", "hushing"}, "palatal": {"back", "front"},
+    "alveolar": {"tip"}, "sibilant": {"sibilant"}, "retroflex": {"tip", "hushing"}, "palatal": {"back", "front"},
     "velar": {"back"}, "uvular": {"back"}, "throat": {"throat"},
     "vowel": {"open", "front", "round_vowel", "neutral"},
 }  # fmt: skip
@@ -43,7 +43,7 @@ def test_numbers_are_in_range() -> None:
     assert table.target.shape == table.alpha.shape == (len(table.classes), len(LIP_CHANNELS))
     assert table.target.min() >= 0.0
     assert table.target.max() <= 1.0
-    assert table.alpha.min() >= 0.2  # lower ones would let a phone far away win all at once
+    assert table.alpha.min() >= 0.15  # lower ones would let a phone far away win all at once
     assert table.alpha.max() <= 1.0
     assert min(table.before.min(), table.after.min()) >= 10.0
 

@@ -19,9 +19,13 @@ from scorebreath.units import GRID
 
 __all__ = ["LIP_CHANNELS", "Lips", "lips"]
 
-REST, REST_GROWTH, REST_MOST = 0.005, 25.0, 1.0
+REST, REST_MOST = 0.005, 1.0
 """Dominance of the rest, whose target is 0: small within speech, so that the sum of dominances never vanishes
-(physiology 7.1); in silence it grows, 1/s, the further away speech is, up to the most."""
+(physiology 7.1); in silence it grows, the further away speech is, up to the most."""
+REST_GROWTH = (25.0, 45.0)
+"""1/s; of the jaw, of the others. Slower than the phones', it would let a sound before the last one come back."""
+BRIEF = 0.03
+"""s; a shorter phone asks less firmly, in proportion: a few next to each other must not outweigh a whole one."""
 BLOCK = 2048
 """Moments computed at a time, for the processor's cache."""
 
@@ -78,8 +82,7 @@ class Lips:
         since_end = np.where(begun, times - string.end[here], np.inf)
         to_next = np.where(more, string.start[following] - times, np.inf)
         silent = np.maximum(np.minimum(since_end, to_next), 0.0)
-        weights = np.empty((len(times), len(LIP_CHANNELS)))
-        weights[:] = np.minimum(REST * np.exp(REST_GROWTH * np.minimum(silent, 1.0)), REST_MOST)[:, np.newaxis]
+        weights = _rest(silent)[:, _GROUP]
         sums = np.zeros_like(weights)
         # on the clock: how far the segment begun last is over, and how far off the next one is
         length = string.end[here] - string.start[here]
@@ -119,6 +122,12 @@ _GROUP = np.array([0 if channel == JAW else 1 for channel in range(len(LIP_CHANN
 """Which theta is each channel's."""
 
 
+def _rest(silent: Array) -> Array:
+    """Dominance of the rest, so many seconds from speech, over the jaw and over the others: (n, 2)."""
+    grown = np.exp(np.minimum(silent, 1.0)[:, np.newaxis] * REST_GROWTH)
+    return np.asarray(np.minimum(REST * grown, REST_MOST))
+
+
 def _fade(away: Array) -> Array:
     """1 up to WHOLE on the clock, 0 at GONE."""
     x = np.clip((GONE - away) / (GONE - WHOLE), 0.0, 1.0)
@@ -134,10 +143,11 @@ def lips(score: Score, body: str) -> Lips:
     spoken = track([said for said in score.of(Utterance, body) if said.phones], "utterances")
     string = phone_string(spoken)
     table = targets()
+    firmness = np.minimum((string.end - string.start) / BRIEF, 1.0)[:, np.newaxis]
     alone = Lips(
         string=string,
-        alpha=table.alpha[string.row],
-        asked=(table.alpha * table.target)[string.row],
+        alpha=table.alpha[string.row] * firmness,
+        asked=(table.alpha * table.target)[string.row] * firmness,
         before=table.before[string.row],
         after=table.after[string.row],
         closures=gate(string, "lip_close"),
