@@ -86,7 +86,7 @@ def rule_rows(rows: Iterable[FaceRow], duration: float) -> tuple[RuleRow, ...]:
     order = list(LOOKS)
     found = sorted(counts.items(), key=lambda item: (order.index(item[0][0]), -item[1], item[0][1]))
     return tuple(
-        RuleRow(kind=kind, rule=rule, count=count, per_minute=snap(60.0 * count / duration) if duration else 0.0)
+        RuleRow(kind=kind, rule=rule, count=count, per_minute=round(60.0 * count / duration, 2) if duration else 0.0)
         for (kind, rule), count in found
     )
 
