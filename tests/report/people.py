@@ -35,6 +35,8 @@ def person(
         tail: s after the last group.
     """
     score = build([EVEN] * breaths if isinstance(breaths, int) else breaths, tail=tail)
+    for said in score.of(Utterance):
+        score = with_phones(score, said.id, said.duration)  # without a pause
     groups = list(score.groups)
     for index, count in enumerate(syllables):
         groups[index] = dataclasses.replace(groups[index], syllables=count)
