@@ -112,8 +112,8 @@ EVENTS: Mapping[str, tuple[type[Event], Reach]] = MappingProxyType(
     {
         kind.type: (kind, Reach(lead=lead, lag=lag))
         for kind, lead, lag in (
-            (Inspiration, 0.5, 0.0),
-            (Expiration, 0.5, 0.0),
+            (Inspiration, 0.5, 0.5),  # after it the mouth it opened is handed over to speech
+            (Expiration, 0.5, 0.5),
             (Hold, 0.5, 0.0),
             (Utterance, 0.5, 0.5),
             (Phrase, 0.0, 0.0),

@@ -60,7 +60,7 @@ class Gate:
         for place in (last, last + 1):
             index = np.clip(place, 0, len(self.begin) - 1)
             away = np.maximum(np.maximum(self.begin[index] - times, times - self.end[index]), 0.0)
-            value = np.maximum(value, _ease(1.0 - away / RAMP))
+            value = np.maximum(value, ease(1.0 - away / RAMP))
         return value
 
 
@@ -99,6 +99,10 @@ def _merged(spans: list[tuple[float, float]]) -> Gate:
     return Gate(begin=np.array(begins, dtype=np.float64), end=np.array(ends, dtype=np.float64))
 
 
-def _ease(progress: Array) -> Array:
+def ease(progress: Array) -> Array:
+    """From 0 to 1, with no speed at both ends and at most half as much again as the mean between: `3x^2 - 2x^3`.
+
+    Where speed is scarce it is better than the smoother step, which takes 15/8 of the mean.
+    """
     x = np.clip(progress, 0.0, 1.0)
     return np.asarray(x * x * (3.0 - 2.0 * x))

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from scorebreath.curves.lips.gates import ease
 from scorebreath.curves.nose_and_mouth import FaceShape
 from scorebreath.curves.tracks import Array
 from scorebreath.score.events import EVENTS, Utterance
@@ -44,8 +45,8 @@ class Handover:
         index = np.minimum(np.searchsorted(self.onset, times), len(self.onset) - 1)
         since = times - self.begin[index]
         left = self.onset[index] - times
-        risen = _ease(since / RISE)
-        fallen = _ease((since - RISE) / np.maximum(self.onset[index] - self.begin[index] - RISE, 1e-9))
+        risen = ease(since / RISE)
+        fallen = ease((since - RISE) / np.maximum(self.onset[index] - self.begin[index] - RISE, 1e-9))
         level = self.top[index] + (self.low[index] - self.top[index]) * fallen
         return np.where((since > 0.0) & (left >= 0.0), level * risen, 0.0)
 
@@ -68,16 +69,11 @@ def handover(mouth: FaceShape, onsets: Array, before: Array, jaw: Array) -> Hand
     index = np.searchsorted(mouth.begin, onsets) - 1
     breath = np.maximum(index, 0)
     lets_go = mouth.begin[breath] + mouth.attack[breath] + mouth.hold[breath]
-    # Not before the utterance's reach; and it has to be over when the utterance begins.
-    taken = np.minimum(np.maximum(lets_go, onsets - LEAD + RISE), onsets)
+    # Neither before the utterance's reach nor before the breath's; and it has to be over when the utterance begins.
+    taken = np.minimum(np.maximum(np.maximum(lets_go, mouth.begin[breath] + RISE), onsets - LEAD + RISE), onsets)
     glide = onsets - taken
     held = mouth.sample(taken)
     low = np.minimum(held, jaw)
     top = np.minimum.reduce([held, low + STEEPEST * glide, np.full(len(held), STEEPEST * RISE)])
     kept = (index >= 0) & (top > 0.0) & (taken - RISE >= before) & (glide > 0.0)
     return Handover(begin=(taken - RISE)[kept], onset=onsets[kept], top=top[kept], low=np.minimum(low, top)[kept])
-
-
-def _ease(progress: Array) -> Array:
-    x = np.clip(progress, 0.0, 1.0)
-    return np.asarray(x * x * (3.0 - 2.0 * x))

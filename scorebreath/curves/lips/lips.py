@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from scorebreath.curves.lips.gates import Gate, gate
+from scorebreath.curves.lips.gates import Gate, ease, gate
 from scorebreath.curves.lips.handover import NOTHING, Handover, handover
 from scorebreath.curves.lips.strings import GONE, WHOLE, PhoneString, phone_string
 from scorebreath.curves.lips.targets import CLOSE, JAW, LIP_CHANNELS, TUCK, targets
@@ -130,8 +130,7 @@ def _rest(silent: Array) -> Array:
 
 def _fade(away: Array) -> Array:
     """1 up to WHOLE on the clock, 0 at GONE."""
-    x = np.clip((GONE - away) / (GONE - WHOLE), 0.0, 1.0)
-    return np.asarray(x * x * (3.0 - 2.0 * x))
+    return ease((GONE - away) / (GONE - WHOLE))
 
 
 def lips(score: Score, body: str) -> Lips:
