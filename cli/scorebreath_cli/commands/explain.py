@@ -58,11 +58,11 @@ def explain(
 ) -> None:
     """Show each breath group: its text, its syllables, where it was cut, what else was possible, and the rule.
 
-    Nothing is spoken. The Bernardet models give each candidate's distance in characters, natural its cost; the chosen
-    one is marked.
+    Nothing is spoken.
 
-    With --face, show each thing the face does: when, how far, at which words, and by which rule; and how often each
-    rule had its way.
+    The Bernardet models give each candidate's distance in characters, natural its cost; the chosen one is marked.
+
+    With --face, show each thing the face does: when, how far, at which words, and by which rule.
     """
     given, face = _told_apart(inputs, of_face=of_face)
     with reporting(lambda: printers.make(json_lines, given[0]), debug=debug) as printer:
