@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from scorebreath.equations.looking import blink_interval, blink_limit
-from scorebreath.expression.actor import Actor
+from scorebreath.expression.actor import SHORTEST, Actor
 from scorebreath.expression.coordination import APART, PausePlan
 from scorebreath.expression.scene import Scene
 
@@ -85,7 +85,7 @@ def speech_blinks(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> No
         elif need < scene.end:
             low = max(scene.onset, actor.memory.blink_end + BETWEEN)
             at = _calm(scene, need, low, looks)
-            if at >= scene.end:
+            if at >= scene.end - SHORTEST:
                 return
             if free(actor, at):
                 blink(actor, at, "need", f"{at - _since(actor, at):.1f} s after the last", scene=scene, until=scene.end)

@@ -45,10 +45,10 @@ def brows(actor: Actor, scene: Scene, held: Sequence[tuple[Question, float]], co
     for planned, what in sorted(raises, key=lambda item: item[0]):
         onset = _delayed(actor, scene, planned) if isinstance(what, Peak) else planned
         if isinstance(what, Peak):
-            near = any(-1e-9 < later - onset < _apart(actor) for later in ahead)
-            if not near and _rested(actor, onset):
+            near = any(-1e-9 < later - onset < max(APART, actor.face.brow_interval) for later in ahead)
+            if not near and rested(actor, onset):
                 _accent(actor, onset, what)
-        elif _rested(actor, onset):
+        elif rested(actor, onset):
             _question(actor, onset, *what)
 
 
@@ -60,7 +60,7 @@ def _onset(scene: Scene, peak: Peak, low: float) -> float:
 
 def _delayed(actor: Actor, scene: Scene, onset: float) -> float:
     """A raise right behind another one comes a little later, where that is soon enough to be seen as one with it."""
-    free = actor.memory.raised[-1] + APART if actor.memory.raised else onset
+    free = max((time + APART for time in actor.memory.raised if time <= onset), default=onset)
     later = scene.edge(free, free)
     return later if onset < free and later - onset <= SEEN else onset
 
@@ -69,16 +69,11 @@ def _within(peak: Peak, question: Question) -> bool:
     return question.onset - LEAD <= peak.time <= question.end + LEAD
 
 
-def _rested(actor: Actor, onset: float) -> bool:
-    """Whether the brows may be raised again; a raise before the last one counts as one with it."""
-    last = actor.memory.raised
-    minute = [time for time in last if onset - time < MINUTE]
-    limit = actor.face.brow_per_minute
-    return (not last or onset - last[-1] >= _apart(actor)) and len(minute) < limit
-
-
-def _apart(actor: Actor) -> float:
-    return max(APART, actor.face.brow_interval)
+def rested(actor: Actor, onset: float) -> bool:
+    """Whether the brows may be raised then, beside all raises that are sure."""
+    near = [time for time in actor.memory.raised if abs(onset - time) < MINUTE]
+    least = max(APART, actor.face.brow_interval)
+    return all(abs(onset - time) >= least for time in near) and len(near) < actor.face.brow_per_minute
 
 
 def remember(actor: Actor, onset: float) -> None:

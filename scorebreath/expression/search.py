@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from scorebreath.equations.looking import BROW_FASTEST, movement_time
 from scorebreath.expression.actor import Actor
-from scorebreath.expression.brows import FALL, RISE, remember
+from scorebreath.expression.brows import FALL, RISE, remember, rested
 from scorebreath.expression.coordination import PausePlan
 from scorebreath.expression.scene import Scene
 
@@ -59,7 +59,9 @@ def searches(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> list[Se
             last = found.pop()
             found.append(Search(onset=last.onset, end=max(end, last.end), up=last.up, why=f"{last.why}, {why}"))
         else:
-            up = actor.draws("search.where", 1, number)[0] < 0.5
+            up = actor.draws("search.where", 1, number)[0] < 0.5 and rested(actor, onset)
+            if up:
+                remember(actor, onset)
             found.append(Search(onset=onset, end=min(end, scene.end), up=up, why=why))
     return [search for search in found if search.end - search.onset >= SHORTEST / 2]
 
@@ -71,6 +73,4 @@ def search_brows(actor: Actor, found: Sequence[Search]) -> None:
         rise, fall = (movement_time(height, BROW_FASTEST, least) for least in (RISE, FALL))
         back = max(search.onset + rise, search.end)
         shape = (height, height, 0.0) if search.up else (0.0, 0.0, height)
-        if search.up:
-            remember(actor, search.onset)
         actor.brow((search.onset, search.onset + rise, back, back + fall), shape, "search", search.why)
