@@ -20,7 +20,7 @@ from scorebreath.score.events import Utterance
 from scorebreath.units import GRID
 
 ORDINARY = 80_000.0
-"""microseconds: a phone's length in ordinary speech (physiology 1: 12 to 13 a second)"""
+"""microseconds: a phone's length in ordinary speech (12 to 13 a second; ours)"""
 WHOLE, GONE = 2 * ORDINARY, 3 * ORDINARY
 """microseconds on the clock, from a phone's edge: where its dominance begins to fade, and where it has"""
 
