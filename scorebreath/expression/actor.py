@@ -25,6 +25,8 @@ class Actor:
     """A face at work."""
 
     state: FaceState
+    over: float | None = None
+    """s when all is over; None: not known yet"""
     memory: Memory = field(init=False)
     face: Face = field(init=False)
     events: list[Event] = field(default_factory=list)
@@ -61,8 +63,8 @@ class Actor:
 
     def brow(self, times: tuple[float, float, float, float], shape: Sequence[float], rule: str, why: str) -> None:
         """Brows: `times` are onset, apex, begin of the way back, end; `shape` left, right, frown."""
-        onset, apex, back, end = (snap(time) for time in times)
-        left, right, frown = (snap(min(1.0, max(0.0, value))) for value in shape)
+        onset, apex, back, end, share = self._in_time(times)
+        left, right, frown = (snap(share * min(1.0, max(0.0, value))) for value in shape)
         self._add(
             Brow, "brow", (onset, end - onset), (rule, why), left=left, right=right, frown=frown,
             apex=snap(apex - onset), hold=snap(back - apex),
@@ -70,11 +72,22 @@ class Actor:
 
     def head(self, times: tuple[float, float, float, float], pitch: float, roll: float, rule: str, why: str) -> None:
         """The head: `times` as with `brow`; degrees."""
-        onset, apex, back, end = (snap(time) for time in times)
+        onset, apex, back, end, share = self._in_time(times)
         self._add(
-            Head, "head", (onset, end - onset), (rule, why), pitch=snap(pitch), yaw=0.0, roll=snap(roll),
-            apex=snap(apex - onset), hold=snap(back - apex),
+            Head, "head", (onset, end - onset), (rule, why), pitch=snap(share * pitch), yaw=0.0,
+            roll=snap(share * roll), apex=snap(apex - onset), hold=snap(back - apex),
         )  # fmt: skip
+
+    def _in_time(self, times: Sequence[float]) -> tuple[float, float, float, float, float]:
+        """The times on the grid, and how much of the movement there is time for: it is back when all is over."""
+        onset, apex, back, end = (snap(time) for time in times)
+        late = 0.0 if self.over is None else end - self.over
+        if late <= 0.0:
+            return onset, apex, back, end, 1.0
+        fall = end - back
+        back = snap(max(apex, back - late))
+        end = snap(max(self.over or 0.0, back + SHORTEST))
+        return onset, apex, back, end, min(1.0, (end - back) / fall)
 
     def gaze(self, until: float, eyes: tuple[float, float], target: str, rule: str, why: str = "") -> None:
         """The eyes turn, as soon as they are free, and stay until a time."""
@@ -82,9 +95,10 @@ class Actor:
         until = snap(until)
         if until - onset <= SHORTEST:
             return
-        to = snap(eyes[0]), snap(eyes[1])
-        length = snap(until - onset)
-        move = min(length, saccade_time(math.hypot(to[0] - yaw, to[1] - pitch)))
+        length, to = snap(until - onset), (snap(eyes[0]), snap(eyes[1]))
+        move = saccade_time(math.hypot(to[0] - yaw, to[1] - pitch))
+        if move > length:  # no time to get there
+            to, target, move = (yaw, pitch), self.memory.target, 0.0
         self._add(
             Gaze, "gaze", (onset, length), (rule, why), target=target, yaw=to[0], pitch=to[1], from_yaw=yaw,
             from_pitch=pitch, move=snap(move),

@@ -47,7 +47,7 @@ def express(state: FaceState, placed: Placed, *, over: float | None = None) -> t
         The face afterwards, and its events; none lies before the `time` that `state` was decided up to, but for
         emotions, which begin with their phrase.
     """
-    actor = Actor(state)
+    actor = Actor(state, over)
     felt: list[Event] = []
     actor.note(horizon=max([actor.memory.horizon, *(event.end for event in placed.events)]))
     waiting = [*state.waiting, *([placed] if speech(placed) else [])]

@@ -179,3 +179,26 @@ def test_a_body_that_listens_looks_at_the_other_most_of_the_time() -> None:
     assert max(e.duration for e in path) <= 2.1  # A35: no dead stare
     blinks = [e for e in score.of(Blink, "body") if first.end < e.onset < last.onset]
     assert len(ruled(blinks, "blink by itself")) > 20
+
+
+@pytest.mark.parametrize("seed", [1, 4, 6])
+def test_the_papers_own_line(seed: int) -> None:
+    """S3, figure 3: a smile and a wink at ";-)", brows, head and glance on "conference", the raise on "hall".
+
+    The head rises with every seed; brows and glance are left to chance, and come together with these.
+    """
+    with open_voice("espeak", "en") as voice:
+        score = compile_text(
+            "Hi! ;-) Can you show me the way to the conference hall? :-)",
+            voice=voice, media=MemoryStore(), seed=seed, parameters=Parameters(face="albrecht-2002"),
+        )  # fmt: skip
+    assert [event.name for event in score.of(Emotion)] == ["kidding", "happy"]
+    assert [event for event in score.of(Blink) if event.left == 0.0 and event.right == 1.0]
+    on = {"conference": {"brow", "head", "gaze"}, "hall": {"brow", "head"}}
+    for word, kinds in on.items():
+        assert kinds <= {event.type for event in moves(score) if event.rule.endswith(f"on {word!r}")}
+    asked = next(seen for seen in scenes(score) for _ in seen.questions)
+    (question,) = asked.questions
+    raised = next(e for e in score.of(Head) if e.rule.startswith("question"))
+    assert raised.onset == pytest.approx(question.onset, abs=0.05)
+    assert raised.onset + raised.apex + raised.hold > asked.end
