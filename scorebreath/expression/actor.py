@@ -81,13 +81,13 @@ class Actor:
     def _in_time(self, times: Sequence[float]) -> tuple[float, float, float, float, float]:
         """The times on the grid, and how much of the movement there is time for: it is back when all is over."""
         onset, apex, back, end = (snap(time) for time in times)
-        late = 0.0 if self.over is None else end - self.over
-        if late <= 0.0:
+        if self.over is None or end <= self.over:
             return onset, apex, back, end, 1.0
-        fall = end - back
-        back = snap(max(apex, back - late))
-        end = snap(max(self.over or 0.0, back + SHORTEST))
-        return onset, apex, back, end, min(1.0, (end - back) / fall)
+        rise, fall, over = apex - onset, end - back, max(self.over, onset + 3 * SHORTEST)
+        back = snap(max(onset, over - fall))
+        if back < apex:  # no time for both: as much of either as there is
+            apex = back = snap(onset + (over - onset) * rise / (rise + fall))
+        return onset, apex, back, snap(over), min(1.0, (over - back) / fall)
 
     def gaze(self, until: float, eyes: tuple[float, float], target: str, rule: str, why: str = "") -> None:
         """The eyes turn, as soon as they are free, and stay until a time."""

@@ -66,7 +66,9 @@ def _draw(actor: Actor, since: float, key: object) -> float:
 
 
 def free(actor: Actor, onset: float) -> bool:
-    """Whether a blink fits there: the last one is over, and no wink is in its way."""
+    """Whether a blink fits there: the last one is over, no wink is in its way, and it ends before all is over."""
+    if actor.over is not None and onset + LONGEST > actor.over:
+        return False
     if onset < actor.memory.blink_end + BETWEEN - 1e-6:
         return False
     return all(onset + LONGEST < begin or end < onset for begin, end in actor.memory.winks)

@@ -36,7 +36,7 @@ def brows(actor: Actor, scene: Scene, held: Sequence[tuple[Question, float]], co
     questions = [question for question, _ in held]
     draws = actor.draws("brow", len(scene.peaks))
     raises: list[tuple[float, Peak | tuple[Question, float]]] = [
-        (question.onset, (question, until)) for question, until in held
+        (scene.edge(question.onset, actor.state.time), (question, until)) for question, until in held
     ]
     for peak, draw in zip(scene.peaks, draws, strict=True):
         if draw < actor.face.brow_at_maximum and not any(_within(peak, question) for question in questions):

@@ -95,7 +95,7 @@ def _speak(actor: Actor, seen: Scene, following: Placed | None, over: float | No
     pauses = plan_pauses(actor, seen)
     found = searches(actor, seen, pauses)
     speech_gaze(actor, seen, pauses, found)
-    later = questions(following) if following else ()
+    later = questions(following) if following and after and after - seen.end < LOOK_AHEAD else ()
     brows(actor, seen, held, [question.onset for question in later])
     search_brows(actor, found)
     heads(actor, seen, held)
@@ -113,11 +113,10 @@ def _until(question: Question, seen: Scene, after: float | None, over: float | N
 def _emotions(actor: Actor, placed: Placed, following: Placed | None, over: float | None) -> list[Event]:
     """Emotions of a group, unless they came with the one before; those behind it too, unless the next one is near."""
     own, behind = _parted(placed)
-    said = speech(placed)
     felt: list[Emotion | Blink] = []
     if not actor.memory.felt:
         felt += _felt(actor, own, [placed], over)
-    near = following is not None and (first_sound(following) or 0.0) - said[-1].end < LOOK_AHEAD
+    near = _near(placed, following)
     if following is not None and near:
         felt += _felt(actor, [*behind, *_parted(following)[0]], [placed, following], over)
     elif behind:
@@ -127,6 +126,12 @@ def _emotions(actor: Actor, placed: Placed, following: Placed | None, over: floa
     waiting = [wink for wink in actor.memory.winks if wink[1] > actor.state.time]
     actor.note(felt=near, winks=tuple(sorted([*waiting, *winks])))
     return list(felt)
+
+
+def _near(placed: Placed, following: Placed | None) -> bool:
+    """Whether speech goes on so soon that both groups are one to the face."""
+    begins = first_sound(following) if following else None
+    return begins is not None and begins - last_sound(placed) < LOOK_AHEAD
 
 
 def _felt(

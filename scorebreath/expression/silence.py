@@ -7,6 +7,7 @@ the silence was told.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from scorebreath.expression.actor import SHORTEST, Actor
@@ -44,10 +45,14 @@ class Bounds:
         return self.speech is not None or self.over is not None or time + LOOK_AHEAD <= self.horizon
 
     @property
+    def last(self) -> float:
+        """When it ends, s; infinity: not within `LOOK_AHEAD`."""
+        return min((time for time in (self.speech, self.over) if time is not None), default=math.inf)
+
+    @property
     def end(self) -> float:
-        """Up to where, s."""
-        ends = [time for time in (self.speech, self.over) if time is not None]
-        return min(ends) if ends else self.horizon - LOOK_AHEAD
+        """Up to where it can be decided, s."""
+        return self.last if self.last < math.inf else self.horizon - LOOK_AHEAD
 
     def fitted(self, time: float) -> float:
         """A time when something ends: where speech begins, if hardly anything would fit in between."""
@@ -55,8 +60,7 @@ class Bounds:
 
     def soon(self) -> float:
         """How long the silence lasts, as far as it matters, s."""
-        ends = [time for time in (self.speech, self.over) if time is not None]
-        return min([LOOK_AHEAD, *(end - self.since for end in ends)])
+        return min(LOOK_AHEAD, self.last - self.since)
 
 
 def silence(actor: Actor, bounds: Bounds) -> None:
@@ -85,7 +89,7 @@ def _enter(actor: Actor, bounds: Bounds) -> None:
     elif not actor.memory.asked:
         actor.note(run_until=bounds.since + min(length, THOUGHT), run=actor.memory.eyes)
     if plan.blink is not None and free(actor, plan.blink):
-        blink(actor, plan.blink, "pause", until=bounds.since + length - LONGEST)
+        blink(actor, plan.blink, "pause", until=bounds.last - LONGEST)
     if plan.glance is not None and abs(max(due(actor), bounds.since) - plan.glance) < APART:
         actor.note(blink_due=plan.glance + APART + 0.01)
 
@@ -100,7 +104,7 @@ def _blinks(actor: Actor, bounds: Bounds) -> None:
         if not bounds.ready(at) or (bounds.over is not None and at + LONGEST > bounds.over):
             return
         if free(actor, at):
-            blink(actor, at, "need", until=bounds.end - LONGEST)
+            blink(actor, at, "need", until=bounds.last - LONGEST)
         else:
             wink = max(end for begin, end in actor.memory.winks if begin <= at + LONGEST)
             actor.note(blink_due=wink + BETWEEN)

@@ -106,8 +106,9 @@ def test_eyes_and_head_together_are_at_the_listener() -> None:
             assert np.hypot(yaw + eye_yaw, pitch + eye_pitch).max() <= 1.5
 
 
-def test_it_makes_no_difference_in_which_pieces_a_silence_is_told() -> None:
-    score = performed(f"{STORY} [pause 9] {STORY}", face="albrecht-2002")
+@pytest.mark.parametrize("double", [0.0, 0.5])
+def test_it_makes_no_difference_in_which_pieces_a_silence_is_told(double: float) -> None:
+    score = performed(f"{STORY} [pause 9] {STORY}")
     single = placed(score)
     whole: list[Placed] = []
     for step in single:
@@ -117,8 +118,8 @@ def test_it_makes_no_difference_in_which_pieces_a_silence_is_told() -> None:
         else:
             whole.append(step)
     assert len(whole) < len(single)
-    once = acted(single, score.duration)
-    assert once and sorted(once, key=lambda e: e.id) == sorted(acted(whole, score.duration), key=lambda e: e.id)
+    once, again = (acted(steps, score.duration, blink_double=double) for steps in (single, whole))
+    assert once and sorted(once, key=lambda e: e.id) == sorted(again, key=lambda e: e.id)
 
 
 @pytest.mark.parametrize("hidden", SEEN)
