@@ -86,9 +86,8 @@ def _accent(actor: Actor, onset: float, peak: Peak) -> None:
     left = height * min(LEFT[1], max(LEFT[0], peak.semitones / USUAL))
     rise, fall = (movement_time(left, BROW_FASTEST, least) for least in (RISE, FALL))
     times = (onset, onset + rise, onset + rise + HOLD, onset + rise + HOLD + fall)
-    rule = "brow at maximum" if peak.turn else "brow at accent"
     remember(actor, onset)
-    actor.brow(times, (left, height, 0.0), rule, f"{peak.semitones:.1f} st on {peak.text!r}")
+    actor.brow(times, (left, height, 0.0), "brow at maximum", peak.why)
 
 
 def _question(actor: Actor, onset: float, question: Question, until: float) -> None:

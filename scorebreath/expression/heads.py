@@ -69,8 +69,7 @@ def _accent(actor: Actor, scene: Scene, peak: Peak, roll: float) -> None:
     pitch, roll = pitch * share, roll * share
     slower = 2.0 if onset < actor.memory.head_until else 1.0  # it comes back from a question at the same time
     end = max(scene.edge(peak.after, low), apex + slower * _needs(pitch, roll))
-    why = f"{peak.semitones:.1f} st on {peak.text!r}" if peak.text else f"{peak.semitones:.1f} st"
-    actor.head((onset, apex, apex, end), pitch, roll, "head at maximum" if peak.turn else "head at accent", why)
+    actor.head((onset, apex, apex, end), pitch, roll, "head at maximum", peak.why)
 
 
 def _at_or_before(scene: Scene, time: float) -> float:

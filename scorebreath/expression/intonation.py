@@ -2,13 +2,14 @@
 
 A pitch track has seven maxima a second, most of them a hundredth of an octave high. Those that are meant here are the
 corners of the stylised contour, at most one maximum an accented syllable: they stand for the targets that S3's speech
-synthesis set itself.
+synthesis set itself. It set one at every accent; other voices speak some of them on a level tone. So an accented
+syllable far from any maximum counts as one, and says so (`level`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Literal
 
@@ -25,6 +26,8 @@ VOWELS = frozenset("aeiouyæøœɶɐɑɒɔəɘɚɛɜɝɞɤɨɪɯɵʉʊʌʏᵻᵿ
 """Letters of the IPA that a vowel begins with."""
 SYLLABIC = frozenset("\u0329\u030d")
 """Marks of a consonant that is a nucleus."""
+LONELY = 0.5
+"""s between an accented syllable and the maxima around it from which on it is one of its own"""
 REACH = 0.15
 """s that a maximum may lie outside the word it belongs to: peaks come late."""
 
@@ -42,6 +45,8 @@ class Extremum:
     """the utterance's word it belongs to; None in a pause"""
     syllable: tuple[float, float] | None
     """onset and end of the accented syllable it belongs to, s from the utterance's onset; None: it belongs to none"""
+    level: bool = False
+    """whether the melody does not turn here by itself: an accent on a level tone, far from any maximum"""
 
 
 def extrema(utterance: Utterance) -> tuple[Extremum, ...]:
@@ -67,7 +72,26 @@ def extrema(utterance: Utterance) -> tuple[Extremum, ...]:
         key = peak.syllable or int(corner)
         if key not in peaks or peaks[key].semitones < peak.semitones:
             peaks[key] = peak
-    return _in_turn(sorted(peaks.values(), key=lambda peak: peak.time), heights, utterance)
+    found = [*peaks.values()]
+    for span in sorted(accented.values()):
+        if all(max(span[0] - peak.time, peak.time - span[1]) > LONELY for peak in found):
+            found.append(_level(span, heights, utterance, accented))
+    return _in_turn(sorted(found, key=lambda peak: peak.time), heights, utterance)
+
+
+def _level(
+    span: tuple[float, float],
+    heights: NDArray[np.float64],
+    utterance: Utterance,
+    accented: dict[int, tuple[float, float]],
+) -> Extremum:
+    """An accented syllable that stands for a maximum: where it is highest."""
+    step = utterance.pitch.step
+    first = min(_place(span[0] + 0.5 * step, step), heights.size - 1)
+    stop = min(max(_place(span[1] + 0.5 * step, step), first + 1), heights.size)
+    highest = first + int(np.argmax(heights[first:stop]))
+    found = _extremum("maximum", highest, heights, utterance, accented)
+    return replace(found, semitones=max(0.0, found.semitones), syllable=span, level=True)
 
 
 def _peaks(heights: NDArray[np.float64], corners: NDArray[np.intp], reach: int) -> list[int]:
@@ -94,7 +118,7 @@ def _top(heights: NDArray[np.float64], corner: int, before: int, after: int, rea
 
 
 def _in_turn(peaks: Sequence[Extremum], heights: NDArray[np.float64], utterance: Utterance) -> tuple[Extremum, ...]:
-    """The maxima, and the lowest place before, between and behind them."""
+    """The maxima, and the lowest place before, between and behind them; halfway where one is a level accent."""
     step = utterance.pitch.step
     places = [-1, *(_place(peak.time, step) for peak in peaks), heights.size]
     out: list[Extremum] = []
@@ -102,7 +126,8 @@ def _in_turn(peaks: Sequence[Extremum], heights: NDArray[np.float64], utterance:
         if number:
             out.append(peaks[number - 1])
         if after - before > 1:
-            lowest = before + 1 + int(np.argmin(heights[before + 1 : after]))
+            level = 0 < number < len(peaks) and (peaks[number - 1].level or peaks[number].level)
+            lowest = (before + after) // 2 if level else before + 1 + int(np.argmin(heights[before + 1 : after]))
             out.append(_extremum("minimum", lowest, heights, utterance, {}))
     return tuple(out)
 

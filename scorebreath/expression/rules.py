@@ -61,14 +61,6 @@ RULES: Mapping[str, Rule] = _rows(
         "brows are raised at a pitch maximum, the left one by its height",
     ),
     (
-        "head at accent", "head", "head_at_maximum head_per_semitone head_highest roll_at_raise roll_angle", "A25, A7",
-        "the same at an accent on a level tone, far from any maximum: S3's voice sets a target at every accent",
-    ),
-    (
-        "brow at accent", "brow", "brow_at_maximum brow_interval brow_per_minute brow_height", "A28, A7",
-        "the same for the brows",
-    ),
-    (
         "glance at accent", "gaze", "glance_at_accent", "A30, A31",
         "eyes are at the listener while an accented syllable is spoken; at the others they do not turn away",
     ),

@@ -16,7 +16,7 @@ from scorebreath.score.events import Brow, Head
 from scorebreath.speech.voices import open_voice
 from tests.expression.performed import performed, ruled, scenes
 
-ACCENTS = ("head at maximum", "head at accent")
+ACCENTS = ("head at maximum",)
 
 
 def of_accents(score: Score) -> list[Head]:

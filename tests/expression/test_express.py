@@ -197,7 +197,7 @@ def test_the_papers_own_line(seed: int) -> None:
     assert [event for event in score.of(Blink) if event.left == 0.0 and event.right == 1.0]
     on = {"conference": {"brow", "head", "gaze"}, "hall": {"brow", "head"}}
     for word, kinds in on.items():
-        assert kinds <= {event.type for event in moves(score) if event.rule.endswith(f"on {word!r}")}
+        assert kinds <= {event.type for event in moves(score) if f" on {word!r}" in event.rule}
     asked = next(seen for seen in scenes(score) for _ in seen.questions)
     (question,) = asked.questions
     raised = next(e for e in score.of(Head) if e.rule.startswith("question"))

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from scorebreath.expression.intonation import REACH, Extremum, extrema, syllable
+from scorebreath.expression.intonation import LONELY, REACH, Extremum, extrema, syllable
 from scorebreath.media.store import MemoryStore
 from scorebreath.pipeline import compile_text
 from scorebreath.score.document import Score
@@ -80,8 +80,18 @@ def test_two_peaks_of_one_accented_syllable_are_one() -> None:
 
 
 def test_a_tremble_is_no_turn() -> None:
-    said = utterance(["CV"] * 12, [3 - n / 20 + 0.6 * (n % 2) for n in range(48)], [True] * 12)
+    said = utterance(["CV"] * 12, [3 - n / 20 + 0.6 * (n % 2) for n in range(48)], [False] * 12)
     assert maxima(extrema(said)) == []
+
+
+def test_an_accent_on_a_level_tone_far_from_any_turn_is_one() -> None:
+    level = [3 - n / 40 for n in range(48)]
+    said = utterance(["CV"] * 12, level, [number in (1, 6, 7, 11) for number in range(12)])
+    found = maxima(extrema(said))
+    assert [peak.word for peak in found] == [1, 6, 11]  # the eighth word's accent is too near
+    assert all(peak.level and peak.syllable and peak.syllable[0] <= peak.time <= peak.syllable[1] for peak in found)
+    turning = utterance(["CV", "C'CV", "CV"], [0, 0, 5, 0, 0], [False, True, False])
+    assert [peak.level for peak in maxima(extrema(turning))] == [False]
 
 
 def test_where_speech_rises_to_its_end_it_ends_with_a_maximum() -> None:
@@ -128,12 +138,16 @@ def test_turns_alternate_and_no_accented_syllable_has_two_maxima(
     turns = extrema(said)
     for before, after in pairwise(turns):
         assert before.time < after.time and before.kind != after.kind
-        assert (before.semitones < after.semitones) == (before.kind == "minimum")
+        low, high = (before, after) if before.kind == "minimum" else (after, before)
+        assert low.semitones <= high.semitones or high.level
     syllables = [turn.syllable for turn in maxima(turns) if turn.syllable]
     assert len(syllables) == len(set(syllables))
     for turn in turns:
         assert 0.0 <= turn.time <= said.duration
         assert turn.kind == "maximum" or turn.syllable is None
+        if turn.level:
+            apart = [abs(other.time - turn.time) for other in maxima(turns) if other is not turn]
+            assert turn.syllable is not None and min(apart, default=1.0) > LONELY
         if turn.syllable is not None and turn.word is not None:
             word = said.words[turn.word]
             assert word.accent and word.onset - REACH <= turn.time <= word.onset + word.duration + REACH
@@ -167,4 +181,4 @@ def test_a_real_voice_turns_about_once_a_second_and_on_accents(file: str, langua
     assert np.mean(on_words) >= 0.7
     on_syllables = [p.syllable is not None and p.syllable[0] - 0.05 <= p.time <= p.syllable[1] + 0.05 for _, p in peaks]
     assert np.mean(on_syllables) >= 0.6  # half of all speech lies so near to one
-    assert np.mean([2.0 <= peak.semitones <= 10.0 for _, peak in peaks]) > 0.9
+    assert np.mean([2.0 <= peak.semitones <= 10.0 for _, peak in peaks if not peak.level]) > 0.9
