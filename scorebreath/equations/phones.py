@@ -78,6 +78,19 @@ def is_vowel(ipa: str) -> bool:
     return bool(first) and makings().get(first[0]) == "vowel"
 
 
+SYLLABIC = frozenset("\u0329\u030d")
+"""Marks of a consonant that is a nucleus."""
+
+
+def is_nucleus(ipa: str) -> bool:
+    """Whether a phone is the nucleus of a syllable: a vowel, or a consonant marked as syllabic.
+
+    >>> [is_nucleus(ipa) for ipa in ("oʊ", "ɹ", "n̩", "")]
+    [True, False, True, False]
+    """
+    return is_vowel(ipa) or not SYLLABIC.isdisjoint(ipa)
+
+
 def letters_of(ipa: str) -> tuple[str, ...]:
     """The letters of a phone, one after the other, without marks of length, tone or manner; doubled ones once.
 

@@ -16,16 +16,13 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from scorebreath.equations.phones import is_nucleus
 from scorebreath.score.events import Phone, Utterance
 from scorebreath.signal.contour import TOLERANCE, melody, stylise
 from scorebreath.units import snap
 
 LOW = 10.0
 """Percentile of the voiced pitch that is called the voice's low tone."""
-VOWELS = frozenset("aeiouyæøœɶɐɑɒɔəɘɚɛɜɝɞɤɨɪɯɵʉʊʌʏᵻᵿ")
-"""Letters of the IPA that a vowel begins with."""
-SYLLABIC = frozenset("\u0329\u030d")
-"""Marks of a consonant that is a nucleus."""
 LONELY = 0.5
 """s between an accented syllable and the maxima around it from which on it is one of its own"""
 REACH = 0.15
@@ -182,7 +179,7 @@ def syllable(phones: Sequence[Phone]) -> tuple[float, float]:
     Args:
         phones: Of one word, at least one.
     """
-    vowels = [n for n, phone in enumerate(phones) if is_vowel(phone.ipa)] or [0]
+    vowels = [n for n, phone in enumerate(phones) if is_nucleus(phone.ipa)] or [0]
     stressed = [n for n, phone in enumerate(phones) if phone.stress == 1]
     nucleus = next((n for n in vowels if stressed and n >= stressed[0]), stressed[0] if stressed else vowels[0])
     before = max((n for n in vowels if n < nucleus), default=-1)
@@ -190,12 +187,3 @@ def syllable(phones: Sequence[Phone]) -> tuple[float, float]:
     first = 0 if before < 0 else max(before + 1, nucleus - 1)
     last = len(phones) - 1 if after == len(phones) else max(nucleus, after - 2)
     return snap(phones[first].onset), snap(phones[last].onset + phones[last].duration)
-
-
-def is_vowel(ipa: str) -> bool:
-    """Whether a phone is the nucleus of a syllable: a vowel, or a consonant marked as syllabic.
-
-    >>> [is_vowel(ipa) for ipa in ("oʊ", "ɹ", "n̩", "")]
-    [True, False, True, False]
-    """
-    return ipa[:1] in VOWELS if ipa[:1] and not SYLLABIC & set(ipa) else bool(ipa)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
 
-from scorebreath.equations.phones import is_vowel, sampa_of
+from scorebreath.equations.phones import is_nucleus, sampa_of
 from scorebreath.score.events import Phone
 
 NAMES: Mapping[str, Mapping[str, str]] = MappingProxyType(
@@ -15,7 +15,6 @@ NAMES: Mapping[str, Mapping[str, str]] = MappingProxyType(
 )
 """What MARY calls a phone in a language where that is not its X-SAMPA name; `equations.phones.MARY` reads it."""
 STRESS = ("", "'", ",")
-SYLLABIC = ("\u0329", "\u030d")
 LIQUIDS = frozenset("lrɹʁʀɾɻjwʋ")
 """What may stand between another consonant and a vowel at a syllable's beginning."""
 FIRM = frozenset("pbtdkɡfvθðszʃʒxçʔ")
@@ -58,7 +57,7 @@ def syllables_of(phones: Sequence[Phone]) -> tuple[Syllable, ...]:
     Between two vowels the last consonant begins the new syllable, together with a firm one before a liquid; voices do
     not tell where syllables begin.
     """
-    centres = [index for index, phone in enumerate(phones) if _is_centre(phone.ipa)]
+    centres = [index for index, phone in enumerate(phones) if is_nucleus(phone.ipa)]
     starts = [0]
     for before, centre in pairwise(centres):
         start = centre
@@ -70,10 +69,6 @@ def syllables_of(phones: Sequence[Phone]) -> tuple[Syllable, ...]:
     ends = [*starts[1:], len(phones)]
     cut = [tuple(phones[start:end]) for start, end in zip(starts, ends, strict=True)]
     return tuple(Syllable(phones=part, stress=_stress(part)) for part in cut if part)
-
-
-def _is_centre(ipa: str) -> bool:
-    return is_vowel(ipa) or any(mark in ipa for mark in SYLLABIC)
 
 
 def _stress(phones: Sequence[Phone]) -> int:
