@@ -104,8 +104,14 @@ def _running_median(values: NDArray[np.float64], width: int) -> NDArray[np.float
     half = max(1, width // 2)
     padded = np.pad(values, half, constant_values=np.nan)
     windows = np.lib.stride_tricks.sliding_window_view(padded, 2 * half + 1)
-    blocks = (np.nanmedian(windows[at : at + BLOCK], axis=1) for at in range(0, values.size, BLOCK))
-    return np.concatenate([*blocks])
+    counts = np.count_nonzero(~np.isnan(windows), axis=1)
+    rows = np.arange(BLOCK)
+    medians = np.empty(values.size)
+    for at in range(0, values.size, BLOCK):
+        ordered = np.sort(windows[at : at + BLOCK], axis=1)  # what is missing comes last
+        count, row = counts[at : at + BLOCK], rows[: len(ordered)]
+        medians[at : at + BLOCK] = 0.5 * (ordered[row, (count - 1) // 2] + ordered[row, count // 2])
+    return medians
 
 
 def _averaged(values: NDArray[np.float64], width: int) -> NDArray[np.float64]:
