@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import threading
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import suppress
@@ -112,7 +113,7 @@ class Renderer:
             staged(folder, own=lambda old: old_media(old) | old_rigs(old)) as part,
             ThreadPoolExecutor(1, thread_name_prefix="writer") as writer,
         ):
-            score, media = self._score(source, part, lambda: writer.submit(_imports, SOUND + PICTURE))
+            score, media = self._score(source, part, lambda: _beside(SOUND + PICTURE))
             others = tuple(
                 f"{body.id}/{name}"
                 for body in score.bodies[1:]
@@ -134,8 +135,8 @@ class Renderer:
 
         source = read_source(given)
         self._begin(source)
-        with TemporaryDirectory(prefix="scorebreath-") as folder, ThreadPoolExecutor(1) as helper:
-            score, media = self._score(source, Path(folder), lambda: helper.submit(_imports, SOUND))
+        with TemporaryDirectory(prefix="scorebreath-") as folder:
+            score, media = self._score(source, Path(folder), lambda: _beside(SOUND))
             self._sound_of(score, media, sys.stdout.buffer)
 
     def _begin(self, source: Source) -> Fraction:
@@ -298,8 +299,17 @@ PICTURE = (
 """What rendering imports when it first needs it: seconds in which the voice speaks, and then the engine works."""
 
 
+def _beside(names: Sequence[str]) -> None:
+    """Bring modules in beside the voice, in a thread that nobody waits for.
+
+    An interrupt that strikes while this thread waits for the lock of all imports takes that lock along (Python 3.11):
+    the other one then waits for ever.
+    """
+    threading.Thread(target=_imports, args=(names,), name="imports", daemon=True).start()
+
+
 def _imports(names: Sequence[str]) -> None:
-    """Bring modules in, beside the voice."""
+    """Bring modules in."""
     import importlib
 
     for name in names:

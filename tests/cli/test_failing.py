@@ -300,6 +300,31 @@ def test_an_interrupt_leaves_nothing(tmp_path: Path, number: int, status: int, m
         time.sleep(0.05)
 
 
+def test_an_interrupt_does_not_wait_for_imports(tmp_path: Path) -> None:
+    """Modules come in beside the voice; a thread that waits for the import lock for ever looks like this one."""
+    (tmp_path / "in.txt").write_text("This goes on and on, and on and on, for quite a while. " * 400)
+    slow = tmp_path / "slow"
+    slow.mkdir()
+    (slow / "soxr.py").write_text("import time; time.sleep(600)")
+    with subprocess.Popen(
+        [*PROGRAM, "render", "in.txt", "-o", "out", "--json", "--voice", "tone"],
+        cwd=tmp_path, env={**ENVIRONMENT, "PYTHONPATH": f"{slow}{os.pathsep}{ENVIRONMENT.get('PYTHONPATH', '')}"},
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    ) as process:  # fmt: skip
+        assert process.stdout
+        for told in process.stdout:
+            if json.loads(told).get("stage") == "speak":
+                break
+        time.sleep(1.0)  # soxr is one of the first modules to come in
+        os.kill(process.pid, signal.SIGINT)
+        try:
+            _, said = process.communicate(timeout=60)
+        finally:
+            process.kill()
+    assert process.returncode == 130
+    assert b"Traceback" not in said
+
+
 def test_a_reader_that_leaves_is_nobodys_error(tmp_path: Path) -> None:
     (tmp_path / "in.txt").write_text("Hello there. " * 50)
     with subprocess.Popen(
