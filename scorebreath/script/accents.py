@@ -32,8 +32,8 @@ def is_content(spoken: str, language: str) -> bool:
 def is_hesitation(word: str, language: str) -> bool:
     """Whether a word only fills a pause, with any number of repeated letters: `errr`, `uhm`, `ähm` (A32, Y2).
 
-    >>> is_hesitation("Errrr...", "en"), is_hesitation("er", "de"), is_hesitation("Ääähm", "de")
-    (True, False, True)
+    >>> [is_hesitation(word, "de") for word in ("Errrr...", "er", "Ääähm")], is_hesitation("aehm", "en")
+    ([True, False, True], True)
     """
     known = lexicon(language)
     bare = plain(word)

@@ -9,13 +9,15 @@ import tomllib
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
+from importlib.resources.abc import Traversable
+from typing import Any
 
 _NOTHING: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lexicon:
-    """A language's small words, case folded ("ß" is "ss"), apostrophes straight; nothing where there is no table."""
+    """A language's small words, case folded ("ß" is "ss"), apostrophes straight; little where there is no table."""
 
     known: bool = False
     """whether there is a table"""
@@ -26,7 +28,7 @@ class Lexicon:
     clitics: frozenset[str] = _NOTHING
     """what hangs on a word behind an apostrophe and changes nothing about it"""
     sounds: frozenset[str] = _NOTHING
-    """hesitations, each letter once"""
+    """hesitations, each letter once; the same in all languages (`tables/hesitations.toml`)"""
     no_sounds: frozenset[str] = _NOTHING
     """words that look like hesitations"""
     questions: frozenset[str] = _NOTHING
@@ -47,21 +49,31 @@ def lexicon(language: str) -> Lexicon:
     >>> "the" in lexicon("en-us").function, lexicon("xx").known
     (True, False)
     """
-    table = files("scorebreath.script").joinpath("tables", f"{language.split('-', maxsplit=1)[0].lower()}.toml")
-    if not table.is_file():
-        return Lexicon()
-    rows = tomllib.loads(table.read_text(encoding="utf-8"))
+    name = language.split("-", maxsplit=1)[0].lower()
+    fillers = _rows("hesitations")
+    sounds = _words(fillers["sounds"])
+    if not _table(name).is_file():
+        return Lexicon(sounds=sounds, no_sounds=_words(fillers["words"]))
+    rows = _rows(name)
     return Lexicon(
         known=True,
         function=frozenset().union(*(_words(lines) for lines in rows["function"].values())),
         auxiliaries=_words(rows["function"]["auxiliaries"]),
         clitics=_words(rows["clitics"]["behind"]),
-        sounds=_words(rows["hesitations"]["sounds"]),
+        sounds=sounds,
         no_sounds=_words(rows["hesitations"]["words"]),
         questions=_words(rows["questions"]["words"]),
         clauses=_words(rows["questions"]["clauses"]),
         leading=_words(rows["questions"]["leading"]),
     )
+
+
+def _table(name: str) -> Traversable:
+    return files("scorebreath.script").joinpath("tables", f"{name}.toml")
+
+
+def _rows(name: str) -> dict[str, Any]:
+    return tomllib.loads(_table(name).read_text(encoding="utf-8"))
 
 
 def _words(lines: list[str]) -> frozenset[str]:

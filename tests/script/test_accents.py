@@ -128,8 +128,10 @@ def test_any_number_of_repeated_letters_hesitates_alike(language: str, data: st.
     assert is_hesitation(written, language) == (written not in lexicon(language).no_sounds)
 
 
-def test_nobody_is_known_to_hesitate_in_a_language_without_a_table() -> None:
-    assert not is_hesitation("uhm", "xx")
+def test_people_hesitate_alike_in_all_languages() -> None:
+    for language in ("en", "de", "sv", "xx"):
+        assert all(is_hesitation(word, language) for word in ("errr", "uhm", "aehm", "Ähm"))
+    assert not any(is_hesitation(word, "da") for word in ("er", "um", "uh"))  # words there, for all we know
 
 
 @pytest.mark.parametrize(
