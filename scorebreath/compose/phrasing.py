@@ -139,9 +139,11 @@ def _divided(speech: Utterance, part: Part, sentences: Sequence[_Sentence], lang
         said = part.words[own[first].start : max(behind, here.stop)]
         final = part.ends_sentence if over else place is not None and place.edge in CLOSING
         sentence = sentences[here[-1]]
-        if final or ending.tone == HIGH:
-            asked = sentence if final else _Sentence("question", (_opening((), said),), sentence.stanza)
-            ending = ending._replace(tone=_tone(asked, language))
+        quoted = not final and ending.tone == HIGH  # a question that ends, though the sentence around it goes on
+        if quoted:
+            sentence = _Sentence("question", (_opening((), said),), sentence.stanza)
+        if final or quoted:
+            ending = ending._replace(tone=_tone(sentence, language))
         if place is not None and place.told is not None:
             told = place.told
             strength = None if told.joined else told.break_index

@@ -107,6 +107,11 @@ def test_marks_inside_a_sentence_have_their_own_tones() -> None:
     }
 
 
+def test_a_question_that_is_quoted_is_one_though_its_sentence_is_none() -> None:
+    found = {p.tone: (p.sentence_type, p.position) for p in score("‘Did you?’ he said.").of(Phrase)}
+    assert found == {HIGH: ("question", "internal"), LOW: ("statement", "final")}
+
+
 def test_inner_silences_are_pauses_told_apart_from_final_ones() -> None:
     natural = score("One, two. Three.")
     inner = [p for p in natural.of(Pause) if p.id.endswith(".pause") and "phrase" in p.id]
