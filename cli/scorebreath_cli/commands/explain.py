@@ -48,6 +48,7 @@ def explain(
     preset: o.Preset = None,
     assign: o.Assign = None,
     state: o.State = None,
+    cast: o.Cast = None,
     markup: o.Markup = None,
     seed: o.Seed = None,
     language: o.Language = None,
@@ -73,7 +74,7 @@ def explain(
         script = _only(given, of_face=of_face)
         options = CompileOptions(
             voice=voice, model=model, presets=tuple(preset or ()), assignments=tuple(assign or ()),
-            states=tuple(state or ()), markup=markup, seed=seed, language=language, poem=poem,
+            states=tuple(state or ()), cast=tuple(cast or ()), markup=markup, seed=seed, language=language, poem=poem,
             face=face, without=tuple(without or ()),
         )  # fmt: skip
         if body is not None and not of_face:
@@ -188,6 +189,7 @@ def _of_script(source: Source, compiler: Compiler) -> Iterator[GroupRow]:
         count=lambda words: compiler.voice(language=language).syllables(words),  # the papers' models never ask
         states=begin_states(options.begin()),
         seed=seed_of(options.seed),
+        cast=options.casting(),
     )
     return rows(groups, script.text)
 
