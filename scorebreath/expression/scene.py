@@ -11,6 +11,7 @@ from scorebreath.expression.accents import Peak, Span, accents, peaks
 from scorebreath.expression.state import Placed
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Phone, Phrase, Utterance, Word
 from scorebreath.script.accents import is_hesitation
+from scorebreath.units import snap
 
 PAUSE = 0.15
 """s of silence that make a pause (A4)."""
@@ -103,7 +104,7 @@ def scene(placed: Placed, language: str) -> Scene:
     phrases = _phrases(placed.events, utterances)
     asking = [each for each in phrases if each.sentence_type == "question"]
     words = [(word, utterance) for utterance in utterances for word in utterance.words]
-    edges = {u.onset + t for u in utterances for p in u.phones for t in (p.onset, p.onset + p.duration)}
+    edges = {snap(u.onset + t) for u in utterances for p in u.phones for t in (p.onset, p.onset + p.duration)}
     edges |= {time for sound in sounds for time in (sound.onset, sound.end)}
     silences = _silences(sounds, utterances, phrases, placed.events)
     return Scene(
@@ -123,7 +124,7 @@ def scene(placed: Placed, language: str) -> Scene:
 
 def _span(utterance: Utterance, part: Phone | Word, text: str = "") -> Span:
     onset = utterance.onset + part.onset
-    return Span(onset=onset, end=onset + part.duration, text=text)
+    return Span(onset=snap(onset), end=snap(onset + part.duration), text=text)
 
 
 def _sounds(utterance: Utterance) -> list[Span]:
@@ -164,7 +165,8 @@ def _silences(
     breaths = [e for e in events if _breathes(e)]
     found = []
     for one, other in pairwise(sounds):
-        if other.onset - one.end < PAUSE:
+        length = snap(other.onset - one.end)  # on the grid: where in time a group is placed must not decide
+        if length < PAUSE:
             continue
         ended = next(
             (each for each in reversed(phrases) if each.onset < one.end and each.end <= other.onset + NEAR), None
@@ -175,7 +177,7 @@ def _silences(
             Silence(
                 onset=one.end, end=other.onset, free=not any(u.onset < other.onset < u.end - 1e-9 and u.onset < one.end
                                                              for u in utterances),
-                search=inner and not filled and other.onset - one.end >= PROLONGED,
+                search=inner and not filled and length >= PROLONGED,
             )
         )  # fmt: skip
     return tuple(found)

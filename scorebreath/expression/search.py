@@ -10,6 +10,7 @@ from scorebreath.expression.actor import Actor
 from scorebreath.expression.brows import FALL, RISE, remember, rested
 from scorebreath.expression.coordination import PausePlan
 from scorebreath.expression.scene import Scene
+from scorebreath.units import snap
 
 RIGHT = -4.0
 """Degrees of yaw: slightly to the character's own right (A33; physiology 7.5)."""
@@ -55,7 +56,7 @@ def searches(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> list[Se
             wanted.append((onset, scene.edge(max(word.end, onset + SHORTEST)), f"on {word.text!r}"))
     found: list[Search] = []
     for number, (onset, end, why) in enumerate(sorted(wanted)):
-        if found and onset - found[-1].end < SHORTEST:
+        if found and snap(onset - found[-1].end) < SHORTEST:
             last = found.pop()
             found.append(Search(onset=last.onset, end=max(end, last.end), up=last.up, why=f"{last.why}, {why}"))
         else:
@@ -63,7 +64,7 @@ def searches(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> list[Se
             if up:
                 remember(actor, onset)
             found.append(Search(onset=onset, end=min(end, scene.end), up=up, why=why))
-    return [search for search in found if search.end - search.onset >= SHORTEST / 2]
+    return [search for search in found if snap(search.end - search.onset) >= SHORTEST / 2]
 
 
 def search_brows(actor: Actor, found: Sequence[Search]) -> None:

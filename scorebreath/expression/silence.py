@@ -16,6 +16,7 @@ from scorebreath.expression.coordination import APART, plan_pause
 from scorebreath.expression.emotion import LONGEST_SILENCE
 from scorebreath.expression.gaze import FIXATION, NARROW, aside, near_listener, nearer
 from scorebreath.expression.scene import PAUSE, Silence
+from scorebreath.units import snap
 
 LOOK_AHEAD = LONGEST_SILENCE
 """s that must be known of what follows."""
@@ -60,7 +61,7 @@ class Bounds:
 
     def soon(self) -> float:
         """How long the silence lasts, as far as it matters, s."""
-        return min(LOOK_AHEAD, self.last - self.since)
+        return snap(min(LOOK_AHEAD, self.last - self.since))
 
 
 def silence(actor: Actor, bounds: Bounds) -> None:
