@@ -17,6 +17,10 @@ EYE_SCALE = 14.0
 """deg; the size of a saccade at 63 % of that."""
 HEAD_FASTEST = 45.0
 """deg/s of a nod or a roll: 50 at most (physiology 7.5, Greta), the breath moving the head beside it."""
+HEAD_LIMIT = 48.0
+"""deg/s of all that speech does to the head at the same time, on each axis."""
+HEAD_RANGE = 35.0
+"""Degrees that speech turns the head at most, on each axis: of 45, emotions and the breath need some."""
 NOD = 1.0 / 6.0
 """s of a nod's rise or fall, at least: heads move below 3 Hz (physiology 7.5)."""
 BROW_FASTEST = 10.0

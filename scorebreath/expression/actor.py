@@ -10,6 +10,7 @@ from typing import Any
 
 from scorebreath import chance
 from scorebreath.equations.looking import saccade_time
+from scorebreath.expression.neck import Turn, fitted
 from scorebreath.expression.rules import because
 from scorebreath.expression.state import FaceState, Memory
 from scorebreath.parameters.faces import Face, face
@@ -71,11 +72,17 @@ class Actor:
         )  # fmt: skip
 
     def head(self, times: tuple[float, float, float, float], pitch: float, roll: float, rule: str, why: str) -> None:
-        """The head: `times` as with `brow`; degrees."""
+        """The head: `times` as with `brow`; degrees, as far as there is room beside its other movements."""
         onset, apex, back, end, share = self._in_time(times)
+        wanted = Turn(onset=onset, apex=apex, back=back, end=end, pitch=share * pitch, roll=share * roll)
+        turn = fitted(wanted, self.memory.turns)
+        pitch, roll = snap(turn.pitch), snap(turn.roll)
+        if pitch == 0.0 and roll == 0.0:
+            return
+        self.note(turns=(*(other for other in self.memory.turns if other.end > self.state.time), turn))
         self._add(
-            Head, "head", (onset, end - onset), (rule, why), pitch=snap(share * pitch), yaw=0.0,
-            roll=snap(share * roll), apex=snap(apex - onset), hold=snap(back - apex),
+            Head, "head", (onset, end - onset), (rule, why), pitch=pitch, yaw=0.0, roll=roll,
+            apex=snap(apex - onset), hold=snap(back - apex),
         )  # fmt: skip
 
     def _in_time(self, times: Sequence[float]) -> tuple[float, float, float, float, float]:

@@ -83,8 +83,8 @@ def remember(actor: Actor, onset: float) -> None:
 
 def _accent(actor: Actor, onset: float, peak: Peak) -> None:
     height = actor.face.brow_height
-    left = height * min(LEFT[1], max(LEFT[0], peak.semitones / USUAL))
-    rise, fall = (movement_time(left, BROW_FASTEST, least) for least in (RISE, FALL))
+    left = min(1.0, height * min(LEFT[1], max(LEFT[0], peak.semitones / USUAL)))
+    rise, fall = (movement_time(max(left, height), BROW_FASTEST, least) for least in (RISE, FALL))
     times = (onset, onset + rise, onset + rise + HOLD, onset + rise + HOLD + fall)
     remember(actor, onset)
     actor.brow(times, (left, height, 0.0), "brow at maximum", peak.why)

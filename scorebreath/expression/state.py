@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from scorebreath.expression.neck import Turn
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.events import Event
 from scorebreath.script.marks import EmotionMark
@@ -59,6 +60,8 @@ class Memory:
     """s; onsets and ends of winks to come"""
     head_until: float = -1.0
     """s; when the head is back from the last question"""
+    turns: tuple[Turn, ...] = ()
+    """movements of the head that may not be over yet"""
     raised: tuple[float, ...] = ()
     """s; onsets of the last minute's raises of the brows"""
 

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import numpy as np
 import pytest
 
 from scorebreath.curves.curve_set import curves
+from scorebreath.curves.looks.looks import looks
+from scorebreath.equations.looking import BROW_FASTEST, HEAD_RANGE
 from scorebreath.expression.accents import Peak
 from scorebreath.media.store import MemoryStore
 from scorebreath.parameters.face_table import FACES
@@ -114,3 +117,26 @@ def test_rates_of_nothing_move_nothing(name: str) -> None:
     nothing = ("brow_at_maximum", "question_brow", "word_search", "head_at_maximum", "question_raise")
     score = performed(face=name, **dict.fromkeys(nothing, 0.0))
     assert not list(score.of(Brow)) and not list(score.of(Head))
+
+
+EXTREME = (
+    {"brow_height": 1.0},
+    {"brow_height": 1.0, "question_brow": 1.0, "brow_at_maximum": 1.0},
+    {"roll_angle": 20.0, "head_per_semitone": 5.0, "head_highest": 20.0, "question_raise": 20.0},
+    {"roll_angle": 20.0, "roll_at_raise": 1.0, "head_per_semitone": 0.0, "question_raise": 1.0},
+    {"roll_angle": 0.0, "head_per_semitone": 5.0, "head_highest": 20.0, "question_raise": 20.0},
+)
+
+
+@pytest.mark.parametrize("rates", EXTREME)
+@pytest.mark.parametrize("name", FACES)
+def test_limits_hold_for_all_that_may_be_set(name: str, rates: dict[str, float]) -> None:
+    score = performed(times=4, face=name, **rates)
+    found = looks(score, "body")
+    times = np.arange(0.0, score.duration, 0.002)
+    head, brow = found.head(times), found.brows(times)
+    assert np.abs(np.diff(head, axis=0)).max() / 0.002 <= 50.0
+    assert np.abs(head).max() <= HEAD_RANGE + 0.01
+    assert np.abs(np.diff(brow, axis=0)).max() / 0.002 <= BROW_FASTEST * 1.001
+    asked = "head" if "roll_angle" in rates else "brow"
+    assert np.abs(head).max() > 10.0 if asked == "head" else brow.max() == 1.0
