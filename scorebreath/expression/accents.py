@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from scorebreath.expression.intonation import extrema, syllable
 from scorebreath.score.events import Phone, Utterance
+from scorebreath.units import snap
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +54,9 @@ def accents(utterance: Utterance) -> list[Span]:
     found = []
     for word, own in phones.items():
         low, high = syllable(own)
-        found.append(Span(onset=utterance.onset + low, end=utterance.onset + high, text=utterance.words[word].text))
+        found.append(
+            Span(onset=snap(utterance.onset + low), end=snap(utterance.onset + high), text=utterance.words[word].text)
+        )
     return sorted(found, key=lambda span: span.onset)
 
 
@@ -67,9 +70,10 @@ def peaks(utterance: Utterance) -> list[Peak]:
             after = next((t.time for t in turns[number + 1 :] if t.kind == "minimum"), utterance.duration)
             found.append(
                 Peak(
-                    before=utterance.onset + before, time=utterance.onset + turn.time, after=utterance.onset + after,
+                    before=snap(utterance.onset + before), time=snap(utterance.onset + turn.time),
+                    after=snap(utterance.onset + after),
                     semitones=turn.semitones, text="" if turn.word is None else utterance.words[turn.word].text,
-                    syllable=None if turn.syllable is None else utterance.onset + turn.syllable[0],
+                    syllable=None if turn.syllable is None else snap(utterance.onset + turn.syllable[0]),
                     level=turn.level,
                 )
             )  # fmt: skip

@@ -107,18 +107,24 @@ def scene(placed: Placed, language: str) -> Scene:
     edges = {snap(u.onset + t) for u in utterances for p in u.phones for t in (p.onset, p.onset + p.duration)}
     edges |= {time for sound in sounds for time in (sound.onset, sound.end)}
     silences = _silences(sounds, utterances, phrases, placed.events)
+    hesitations = tuple(_span(u, word, word.text) for word, u in words if is_hesitation(word.text, language))
+
+    def meant(time: float, since: float | None = None) -> bool:
+        """Whether something is an accent of what is said: a word of hesitation has none (A32)."""
+        return not any(time in word or (since is not None and since in word) for word in hesitations)
+
     return Scene(
         onset=sounds[0].onset,
         end=sounds[-1].end,
         edges=tuple(sorted(edges)),
         stressed=tuple(_span(u, p) for u in utterances for p in u.phones if p.stress == 1),
-        accents=tuple(accent for utterance in utterances for accent in accents(utterance)),
-        peaks=tuple(peak for utterance in utterances for peak in peaks(utterance)),
+        accents=tuple(accent for u in utterances for accent in accents(u) if meant(accent.onset)),
+        peaks=tuple(peak for u in utterances for peak in peaks(u) if meant(peak.time, peak.syllable)),
         silences=silences,
         phrases=tuple(Span(onset=each.onset, end=each.end) for each in phrases),
         asking=tuple(Span(onset=each.onset, end=each.end) for each in asking),
         questions=_questions(asking, words, sounds),
-        hesitations=tuple(_span(u, word, word.text) for word, u in words if is_hesitation(word.text, language)),
+        hesitations=hesitations,
     )
 
 

@@ -8,9 +8,13 @@ import pytest
 
 from scorebreath.expression.scene import Silence, scene
 from scorebreath.expression.state import Placed
+from scorebreath.media.store import MemoryStore
+from scorebreath.parameters.table import Parameters
+from scorebreath.pipeline import compile_text
 from scorebreath.score.events import Phone, Utterance, Word
+from scorebreath.speech.voices import open_voice
 from scorebreath.units import snap
-from tests.expression.performed import performed, placed
+from tests.expression.performed import performed, placed, scenes
 
 
 def with_gap(gap: float) -> Placed:
@@ -42,3 +46,16 @@ def test_a_pause_is_as_long_wherever_its_group_is_placed(gap: float) -> None:
         assert len(missed) == (gap > 0.15)
         if missed:
             assert found[0].search != missed[0].search
+
+
+@pytest.mark.parametrize("text", ["It was, uhm, very nice.", "Uhm, the garden was so, er, wonderfully green."])
+def test_a_word_of_hesitation_has_neither_accent_nor_maximum(text: str) -> None:
+    with open_voice("espeak", "en") as voice:
+        score = compile_text(text, voice=voice, media=MemoryStore(), parameters=Parameters(face="albrecht-2002"))
+    (said,) = (seen for seen in scenes(score) if seen.hesitations)
+    assert said.peaks and said.accents
+    for word in said.hesitations:
+        assert not any(peak.time in word or peak.text == word.text for peak in said.peaks)
+        assert not any(accent.onset in word for accent in said.accents)
+        marked = f" on {word.text!r}"
+        assert {event.rule.partition(" (")[0] for event in score.events if event.rule.endswith(marked)} == {"search"}
