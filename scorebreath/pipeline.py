@@ -19,6 +19,7 @@ from scorebreath.planning.model import BreathGroup, SyllableCounter, plan
 from scorebreath.planning.planners import open_planner
 from scorebreath.score.document import Group, MediaInfo, Score
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration
+from scorebreath.script import emoticons
 from scorebreath.script.emotional import with_breathing
 from scorebreath.script.marks import StateMark
 from scorebreath.script.markup.marked import Marked, Markup
@@ -178,7 +179,7 @@ def speak(groups: Iterable[BreathGroup], performer: Callable[[str], Performer], 
             yield Spoken(
                 group=group,
                 id=f"{BODY}.g{next(numbers)}",
-                place=places.key(group.text),
+                place=places.key(emoticons.without(group.text)),
                 parts=tuple(
                     SpokenPart(part=part, speech=speech, media=media.put(speech.samples, speech.sample_rate, "speech"))
                     for part, speech in zip(group.parts, speeches, strict=True)

@@ -140,7 +140,7 @@ def _speak(placer: Placer, spoken: Spoken, low: LowLevel) -> None:
     left = sum(said.speech.duration for said in spoken.parts)
     for number, said in enumerate(spoken.parts):
         if number:
-            for index, mark in enumerate(said.part.before):
+            for index, mark in enumerate(marked.bodily(said.part.before)):
                 marked.heed(placer, mark, f"part{number}.{index}")
         speech = parts.utterance(placer.state, spoken, said, low=low, onset=placer.time, number=number)
         placer.events.append(speech)

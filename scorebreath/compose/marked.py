@@ -9,7 +9,7 @@ from scorebreath.compose.acts import asked
 from scorebreath.compose.placer import Placer
 from scorebreath.compose.state import SpokenPart
 from scorebreath.score.events import Utterance
-from scorebreath.script.marks import Act, BreathingMark, Mark, NamedMark, StateMark
+from scorebreath.script.marks import Act, BreathingMark, EmotionMark, Mark, NamedMark, StateMark
 from scorebreath.units import snap
 
 
@@ -22,7 +22,7 @@ def before(placer: Placer, marks: tuple[Mark, ...]) -> tuple[Act | None, list[Na
     last = next((mark for mark in reversed(marks) if isinstance(mark, Act) and mark.name != "pause"), None)
     breath = last if last is not None and last.name in ("breath", "gasp") else None
     named: list[NamedMark] = []
-    for number, mark in enumerate(marks):
+    for number, mark in enumerate(bodily(marks)):
         if isinstance(mark, NamedMark):
             named.append(mark)
         elif mark is not breath:
@@ -30,6 +30,11 @@ def before(placer: Placer, marks: tuple[Mark, ...]) -> tuple[Act | None, list[Na
                 _name(placer, named)
             heed(placer, mark, f"before{number}")
     return breath, named
+
+
+def bodily(marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
+    """Without what is only the face's: numbers in keys of chance must not count that."""
+    return tuple(mark for mark in marks if not isinstance(mark, EmotionMark))
 
 
 def heed(placer: Placer, mark: Mark, key: str) -> None:
@@ -56,6 +61,7 @@ def _name(placer: Placer, named: list[NamedMark]) -> None:
 
 def names_first(placer: Placer, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
     """Names right behind the last word stand where it ends; the marks that are left."""
+    marks = bodily(marks)
     count = next((n for n, mark in enumerate(marks) if not isinstance(mark, NamedMark)), len(marks))
     for mark in marks[:count]:
         heed(placer, mark, "")
@@ -64,7 +70,7 @@ def names_first(placer: Placer, marks: tuple[Mark, ...]) -> tuple[Mark, ...]:
 
 def after(placer: Placer, marks: tuple[Mark, ...]) -> None:
     """What stands behind the last word of all."""
-    for number, mark in enumerate(marks):
+    for number, mark in enumerate(bodily(marks)):
         heed(placer, mark, f"after{number}")
 
 

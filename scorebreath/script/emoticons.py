@@ -48,6 +48,8 @@ _APART = re.compile(r"[ \t]{1,3}|(?!\s)")
 _BEFORE = re.compile(r"(?:(?:\A|(?<=\s))[\"'“„‘(*_]*[\w'’-]*[.,!?;:…\"'”’)*_]*)$")
 """What may stand directly before an emoticon that means something: nothing, or a word with its marks."""
 _BEHIND = re.compile(r"[\s.,!?;:…)\]\"'”’»«*_~<>^-]|\Z")
+_OPENING = re.compile(r"(?:\A|\s)[\"'“„‘«»(\[]*\Z")
+_CLOSING = re.compile(r"[.,!?;:…\"'”’»«)\]]|\Z")
 _TOKEN = re.compile(r"\S*$")
 _NEAR = 64
 """Code points that are looked at before an emoticon."""
@@ -90,6 +92,22 @@ def spans(text: str, start: int = 0, end: int | None = None) -> Iterator[Span]:
         if marked and (idle := _IDLE.match(text, stop, last)) and not _PATTERN.match(text, idle.end("space"), last):
             behind = idle.end()
         yield Span(first, behind)
+
+
+def without(text: str) -> str:
+    """A text as it would be written without them.
+
+    >>> without("Well :-) so."), without("Go on: :-( . So :-)."), without("Plain , text ")
+    ('Well so.', 'Go on: So.', 'Plain , text ')
+    """
+    found = list(spans(text)) if possible(text) else []
+    if not found:
+        return text
+    left = text[: found[0].start]
+    for span, end in zip(found, [*(span.start for span in found[1:]), len(text)], strict=True):
+        left, piece = left.rstrip(), text[span.end : end].lstrip()
+        left += piece if _OPENING.search(left) or _CLOSING.match(piece) else f" {piece}"
+    return left
 
 
 def idle(text: str, place: int) -> bool:
