@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from scorebreath.compose.models import BreathingModel
@@ -15,7 +15,8 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup
 from scorebreath.score.document import Body, VoiceInfo
 from scorebreath.score.events import Event, Pause
-from scorebreath.script.marks import EmotionMark, Mark, VoiceMark
+from scorebreath.script.emotional import changed, rest
+from scorebreath.script.marks import EmotionMark, Mark, StateMark
 from scorebreath.speech.model import Voice
 from scorebreath.units import snap
 
@@ -32,26 +33,31 @@ class Performer:
     face: FaceState
     events: list[Event] = field(default_factory=list)
 
-    def go_on(self, done: tuple[BodyState, list[Event]], spoken: Spoken | None = None) -> None:
-        """Take what compose has placed, and let the face answer to it."""
+    def go_on(
+        self, done: tuple[BodyState, list[Event]], spoken: Spoken | None = None, felt: tuple[EmotionMark, ...] = ()
+    ) -> None:
+        """Take what compose has placed, and let the face answer to it and to the emotions of what is spoken."""
         self.state, placed = done
         self.events += placed
-        self._express(placed, spoken)
+        self._express(placed, spoken, felt)
 
-    def feel(self, marks: tuple[EmotionMark, ...]) -> None:
-        """Emotions right behind what it has said, before somebody else goes on."""
-        if marks and self.face.waiting:
-            *others, last = self.face.waiting
-            self.face = replace(self.face, waiting=(*others, replace(last, marks=(*last.marks, *marks))))
+    def feel(self, marks: tuple[EmotionMark, ...]) -> bool:
+        """Emotions right behind what it has said; whether it is not too late for them."""
+        if not marks or not self.face.waiting:
+            return not marks
+        *others, last = self.face.waiting
+        self.face = replace(self.face, waiting=(*others, replace(last, marks=(*last.marks, *marks))))
+        return True
 
     def end(self, time: float) -> None:
         """All is over."""
-        self._express([], None, over=time)
+        self._express([], None, (), over=time)
 
-    def _express(self, placed: list[Event], spoken: Spoken | None, over: float | None = None) -> None:
+    def _express(
+        self, placed: list[Event], spoken: Spoken | None, felt: tuple[EmotionMark, ...], over: float | None = None
+    ) -> None:
         place = spoken.place if spoken else f"rest@{self.state.waits}"
-        marks = emotions_in(spoken.group) if spoken else ()
-        self.face, shown = express(self.face, Placed(events=tuple(placed), place=place, marks=marks), over=over)
+        self.face, shown = express(self.face, Placed(events=tuple(placed), place=place, marks=felt), over=over)
         self.events += shown
 
     def body(self) -> Body:
@@ -123,13 +129,34 @@ class Ensemble:
     def step(self, spoken: Spoken) -> Performer:
         """Somebody speaks a group; who it is."""
         who = self.performer(spoken.group.voice)
-        if self.speaker:
-            self.speaker.feel(emotions_left(spoken.group))
+        spoken, before = self._parted(self.speaker, spoken) if self.speaker else (spoken, spoken.group.before)
         self.speaker = who
         who.go_on(self.breathing.rest(who.state, self.clock, "rest"))
-        who.go_on(self.breathing.step(who.state, spoken), spoken)
+        who.go_on(self.breathing.step(who.state, spoken), spoken, emotions_in(spoken.group, before))
         self.clock = who.state.time
         return who
+
+    def _parted(self, last: Performer, spoken: Spoken) -> tuple[Spoken, tuple[Mark, ...]]:
+        """Whoever spoke last takes what stands on its side of a group's marks.
+
+        These are the emotions before another voice is named, before the longest of the acts that stand there, or else
+        all of them: the face knows what is near (A42). And the states of a body that falls silent.
+
+        Returns:
+            What is spoken, without states that are not its body's; and the marks before it whose emotions are its own.
+        """
+        group = spoken.group
+        voice = changed(group.before)
+        border = voice or rest(group.before, 0.0)
+        left, own = group.before[:border], group.before[border:] if border is not None else ()
+        if not last.feel(_emotions(left)) and not voice:
+            own = group.before
+        if states := tuple(mark for mark in group.before[:voice] if isinstance(mark, StateMark)):
+            last.go_on(self.breathing.act(last.state, states, f"leave_{spoken.id.rpartition('.')[2]}"))
+            others = (mark for mark in group.before[:voice] if not isinstance(mark, StateMark))
+            before = (*others, *group.before[voice:])
+            spoken = replace(spoken, group=replace(group, before=before))
+        return spoken, own
 
     def act(self, marks: tuple[Mark, ...]) -> None:
         """The first body does what a text without words asks for."""
@@ -164,20 +191,10 @@ class Ensemble:
             raise InputError(f"the text changes to the voice {name!r}: {error}") from None
 
 
-def emotions_in(group: BreathGroup) -> tuple[EmotionMark, ...]:
-    """Emotions that the text asks for before, in and behind a group, in its order."""
+def emotions_in(group: BreathGroup, before: Sequence[Mark]) -> tuple[EmotionMark, ...]:
+    """Emotions that the text asks for in and behind a group, and among the marks before it, in its order."""
     inner = (mark for word in group.words[:-1] for mark in word.after)
-    return _emotions((*group.before[_changed(group) :], *inner, *group.after))
-
-
-def emotions_left(group: BreathGroup) -> tuple[EmotionMark, ...]:
-    """Emotions before a group that stand before its voice is named: they belong to whoever spoke until then."""
-    return _emotions(group.before[: _changed(group)])
-
-
-def _changed(group: BreathGroup) -> int:
-    """How many marks before a group stand before its voice."""
-    return max((number for number, mark in enumerate(group.before, 1) if isinstance(mark, VoiceMark)), default=0)
+    return _emotions((*before, *inner, *group.after))
 
 
 def _emotions(marks: Iterable[Mark]) -> tuple[EmotionMark, ...]:

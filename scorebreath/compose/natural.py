@@ -28,7 +28,7 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup
 from scorebreath.score.document import Person
 from scorebreath.score.events import Event, Lead
-from scorebreath.script.emotional import ENDS
+from scorebreath.script.emotional import ENDS, ahead
 from scorebreath.script.marks import Act, EmotionMark, Mark
 from scorebreath.units import snap
 
@@ -176,7 +176,7 @@ def _inspire(placer: Placer, spoken: Spoken, breath: Act | None) -> None:
 
 def surprise(p: Parameters, group: BreathGroup) -> float:
     """How much a group begins with surprise, 0..1: before it, or up to where its first phrase ends (B60)."""
-    marks = [*group.before]
+    marks = [*ahead(group.before)]
     for word in group.words:
         marks += word.after
         if word.edge in ENDS:
@@ -223,7 +223,7 @@ def _between(placer: Placer, spoken: Spoken, said: SpokenPart, number: int) -> N
         kind, length = timing.breathless(placer.p, placer.modifiers, chances, said.part.site)
         placer.pause("gap", kind, length, rule="physiology 1.4: no breath")
         placer.hold("gap_rest", length, rule="physiology 1.4: no breath")
-    for index, mark in enumerate(said.part.before):
+    for index, mark in enumerate(marked.bodily(said.part.before)):
         marked.heed(placer, mark, f"part{number}.{index}")
 
 

@@ -1,7 +1,8 @@
 """Emotions move the breath (B60): as long as a phrase is spoken with one, the body is in the state that goes with it.
 
 A phrase ends here at punctuation, at a line's end in verse, where MaryXML tells so, and where another voice begins. An
-emotion between two phrases holds for both (A42). Of several in a phrase the strongest counts, of equals the last. The
+emotion between two phrases holds for both (A42), but for the one it is written beside where a rest is asked for between
+them. Of several in a phrase the strongest counts, of equals the last. The
 text's own moods come first: where one is in force or set within a phrase, its emotions leave the breath alone.
 """
 
@@ -12,7 +13,7 @@ from dataclasses import dataclass, field, replace
 
 from scorebreath.parameters.states import NEUTRAL, find_state
 from scorebreath.script import emotions
-from scorebreath.script.marks import EmotionMark, Mark, StateMark, VoiceMark
+from scorebreath.script.marks import LONG_PAUSE, Act, EmotionMark, Mark, StateMark, VoiceMark
 from scorebreath.script.model import Edge, Script, ScriptWord, Sentence
 from scorebreath.script.sentence import hanging
 from scorebreath.units import snap
@@ -31,7 +32,7 @@ def with_breathing(script: Script, share: float, begun: Sequence[StateMark] = ()
 
     Returns:
         The script with states among its marks: each begins before the first word of its phrase, so that the breath
-        before it is part of it, and ends behind the phrase; a state that changes voice is ended a word earlier.
+        before it is part of it, and ends behind the phrase, before another voice is named.
     """
     if share <= 0.0 or not any(isinstance(mark, EmotionMark) for mark in script.marks):
         return script
@@ -53,6 +54,30 @@ def breathing(sentences: Iterable[Sentence], share: float, begun: Sequence[State
     if waiting:
         walk.end(waiting)
         yield waiting.whole()
+
+
+def rest(marks: Sequence[Mark], least: float = LONG_PAUSE) -> int | None:
+    """Where the silence is that parts some marks: what stands before it belongs to what was said, the others ahead.
+
+    Args:
+        marks: All between two words.
+        least: s; what is asked for, all in all, is no rest if it is shorter.
+
+    Returns:
+        Place of the longest act of them; None: nothing parts them.
+    """
+    lengths = [(mark.seconds or 0.0, -number) for number, mark in enumerate(marks) if isinstance(mark, Act)]
+    return -max(lengths)[1] if lengths and sum(seconds for seconds, _ in lengths) >= least else None
+
+
+def changed(marks: Sequence[Mark]) -> int:
+    """How many of some marks stand before the last change of voice, and that one itself."""
+    return max((number for number, mark in enumerate(marks, 1) if isinstance(mark, VoiceMark)), default=0)
+
+
+def ahead(marks: Sequence[Mark]) -> Sequence[Mark]:
+    """Those of the marks between two words that hold for what follows, too."""
+    return marks[changed(marks) or rest(marks) or 0 :]
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,25 +148,26 @@ class _Walk:
     def _phrase(self, here: _Sentence, first: int, last: int, start: list[Mark]) -> None:
         """The words between two places, and what is told before them."""
         inside, behind = here.told[first + 1 : last], here.told[last]
-        voices = [number for number, mark in enumerate(behind) if isinstance(mark, VoiceMark)]
-        here_still = behind[: voices[0]] if voices else behind
+        voice = next((number for number, mark in enumerate(behind) if isinstance(mark, VoiceMark)), None)
+        parted = rest(behind) if voice is None else voice
+        here_still = behind if parted is None else behind[:parted]
         felt = [*self.ahead, *(mark for marks in inside for mark in _felt(marks)), *_felt(here_still)]
         free = self.voice not in self.moods and not any(_sets_mood(mark) for marks in inside for mark in marks)
-        mood = self._mood(felt) if free and (not voices or last - first > 1) else None
+        mood = self._mood(felt) if free else None
         at = here.words[first].source.start
         if self.now and mood is None:
             start.insert(0, _end(self.now, start[0].at if start else at))
         elif mood and mood != self.now:
             start.append(_begin(mood, at))
         self.now = mood
-        if self.now and voices:
-            here.marks[last - 1].append(_end(self.now, here.words[last - 1].source.start))
+        if self.now and voice is not None:
+            here.marks[last].insert(0, _end(self.now, behind[0].at))
             self.now = None
         for marks in (*inside, behind):
             self.own(marks)
         if any(isinstance(mark, StateMark) and find_state(mark.name).name == NEUTRAL for mark in behind):
             self.now = None
-        self.ahead = _felt(behind[voices[0] :] if voices else behind)
+        self.ahead = _felt(behind if parted is None else behind[parted:])
 
     def _mood(self, felt: Sequence[EmotionMark]) -> _Mood | None:
         """The state for the strongest of some emotions."""

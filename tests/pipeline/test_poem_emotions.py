@@ -15,7 +15,7 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.pipeline import begin_states, compile_text, plan_script
 from scorebreath.planning.syllables import pyphen_counter
 from scorebreath.score.document import Score
-from scorebreath.score.events import Blink, Emotion, Hold, Inspiration, Phrase, State, Utterance, WarningEvent
+from scorebreath.score.events import Blink, Emotion, Hold, Inspiration, Marker, Phrase, State, Utterance, WarningEvent
 from scorebreath.script.emotional import breathing, with_breathing
 from scorebreath.script.marks import EmotionMark, StateMark
 from scorebreath.script.model import Script
@@ -235,7 +235,11 @@ def states(script: Script) -> list[tuple[str, float, str]]:
         ("So it is. :-) [/state] Now so.",
          [("happy", 0.5, ""), ("neutral", 1.0, "is"), ("happy", 0.5, "is"), ("happy", 0.0, "so")]),
         ("So it :-) is. [voice b] Well now. :-( [/voice] I see.",
-         [("happy", 0.5, ""), ("happy", 0.0, "it"), ("sad", 0.5, "is"), ("sad", 0.0, "Well")]),
+         [("happy", 0.5, ""), ("happy", 0.0, "is"), ("sad", 0.5, "is"), ("sad", 0.0, "now")]),
+        ("Well. [voice b] I. :-( [/voice] So.", [("sad", 0.5, "Well"), ("sad", 0.0, "I")]),
+        ("So it is. :-) [pause 6] Now so.", [("happy", 0.5, ""), ("happy", 0.0, "is")]),
+        ("So it is. [pause 6] :-) Now so.", [("happy", 0.5, "is"), ("happy", 0.0, "so")]),
+        ("So it is. :-) [pause 1] Now so.", [("happy", 0.5, ""), ("happy", 0.0, "so")]),
         ("So it is.", []),
     ],
 )  # fmt: skip
@@ -256,3 +260,90 @@ def test_states_from_the_beginning_are_the_users() -> None:
     script = read("So :-) it is.")
     assert with_breathing(script, 0.5, begin_states({"sad": 1.0})) == script
     assert states(with_breathing(script, 0.5, begin_states({"fatigue": 1.0})))
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("sign", ["SIGN", "SIGN [pause 0.5]", "SIGN [breath]"])
+def test_before_a_long_rest_it_is_what_was_said_that_is_felt(english: Voice, model: str, sign: str) -> None:
+    """A42; the order of the text decides."""
+    for mark, name in ((":-)", "happy"), ("[emotion happy]", "happy"), (";-)", "kidding")):
+        text = f"Hello there. {sign.replace('SIGN', mark)} [pause 6] Second one."
+        score = compile_text(text, voice=english, media=MemoryStore(), model=model)
+        (emotion,) = felt(score)
+        assert emotion.name == name
+        assert text_of(score, emotion) == ["Hello there."]
+        assert emotion.onset + emotion.apex == pytest.approx(times(score, "there")[1], abs=0.03)
+        winks = [event for event in score.of(Blink) if event.rule.startswith("A40")]
+        assert all(wink.onset < times(score, "there")[1] for wink in winks)
+        assert len(winks) == (name == "kidding")
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_behind_a_long_rest_it_is_what_will_be_said_that_is_felt(english: Voice, model: str) -> None:
+    score = compile_text("Hello. [pause 6] :-) Second one. So.", voice=english, media=MemoryStore(), model=model)
+    (emotion,) = felt(score)
+    assert text_of(score, emotion) == ["Second one."]
+    assert emotion.onset + emotion.apex == pytest.approx(times(score, "second")[0], abs=0.03)
+    both = "Hello. :-) [pause 6] :-( Second one."
+    score = compile_text(both, voice=english, media=MemoryStore(), model=model)
+    assert [(each.name, text_of(score, each)) for each in felt(score)] == [
+        ("happy", ["Hello."]), ("sad", ["Second one."]),
+    ]  # fmt: skip
+
+
+def test_before_a_rest_of_ssml_it_is_what_was_said_that_is_felt(english: Voice) -> None:
+    text = "<speak>Hello :-). <break time='6s'/> Second one.</speak>"
+    score = compile_text(text, voice=english, media=MemoryStore())
+    (emotion,) = felt(score)
+    assert text_of(score, emotion)[0].startswith("Hello")
+    assert len(emotion.phrases) == 1
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Hello SIGN there, my dear old friend SIGN. It is SIGN, I see, a fine day! SIGN So are we.",
+        "SIGN Well now. SIGN [sigh] So it was SIGN [mark a] [pause 0.3] and it is. SIGN [mark b]",
+        "He said “no SIGN” again (and SIGN again). SIGN [breath] Then “SIGN go” it was.",
+    ],
+)
+def test_without_their_share_of_the_breath_emoticons_change_none(english: Voice, model: str, text: str) -> None:
+    """Chance knows the words alone."""
+
+    def breath(written: str) -> list[tuple[object, ...]]:
+        score = compile_text(
+            written, voice=english, media=MemoryStore(), model=model, parameters=Parameters(emotion_breath=0.0), seed=3
+        )
+        shown = [*score.of(Inspiration), *score.of(Hold), *score.of(Utterance), *score.of(Marker)]
+        return [
+            (event.onset, event.duration, getattr(event, "volume", None), getattr(event, "noise", None))
+            for event in sorted(shown, key=lambda event: event.id)
+        ]
+
+    assert breath(text.replace("SIGN", ":-)")) == breath(" ".join(_bare(text).split()))
+
+
+def _bare(text: str) -> str:
+    """A text without its places for signs."""
+    for written, bare in ((" SIGN", ""), ("SIGN ", ""), ("SIGN", "")):
+        text = text.replace(written, bare)
+    return text
+
+
+def test_a_state_of_one_voice_goes_with_its_phrase(english: Voice) -> None:
+    text = "One is good. :-) <voice name='other'>Two is not. :-(</voice> Three."
+    score = compile_text(f"<speak>{text}</speak>", voice=english, media=MemoryStore(), voices=lambda _: english)
+    for body, name, first in (("body", "happy", "one"), ("body2", "sad", "two")):
+        on, off = [state for state in score.of(State) if state.body == body and state.name == name]
+        phrase = next(phrase for phrase in score.of(Utterance) if phrase.words[0].text.lower() == first)
+        assert (on.target > 0.0, off.target) == (True, 0.0)
+        assert on.onset <= phrase.onset
+        assert off.onset >= phrase.end
+
+
+def test_a_state_ends_for_the_voice_that_has_it(english: Voice) -> None:
+    text = "[sad] One is bad. [sad 0] [voice other] Two is not. [/voice] Three."
+    score = compile_text(text, voice=english, media=MemoryStore(), voices=lambda _: english)
+    assert {state.body for state in score.of(State)} == {"body"}
+    assert not _left_on(iter(score.of(State)))
