@@ -23,8 +23,9 @@ from scorebreath.parameters.derive import LowLevel, derive
 from scorebreath.parameters.modifiers import modifiers
 from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
+from scorebreath.planning.model import Part
 from scorebreath.score.document import Person
-from scorebreath.score.events import Event, Inspiration, Lead, Motion
+from scorebreath.score.events import Event, Inspiration, Lead, Motion, Utterance
 from scorebreath.script.marks import Act, BreathingMark, Mark
 from scorebreath.units import snap
 
@@ -138,18 +139,20 @@ def _asked(breath: Inspiration, act: Act | None, wishes: BreathingMark | None) -
 def _speak(placer: Placer, spoken: Spoken, low: LowLevel) -> None:
     """The speech; where the markup divides it, each part lets out its share of the driver."""
     left = sum(said.speech.duration for said in spoken.parts)
+    placed: list[tuple[Utterance, Part]] = []
     for number, said in enumerate(spoken.parts):
         if number:
             for index, mark in enumerate(marked.bodily(said.part.before)):
                 marked.heed(placer, mark, f"part{number}.{index}")
         speech = parts.utterance(placer.state, spoken, said, low=low, onset=placer.time, number=number)
         placer.events.append(speech)
-        phrase(placer, speech, said.part)
+        placed.append((speech, said.part))
         last = number == len(spoken.parts) - 1
         to = 0.0 if last else placer.volume * (1.0 - said.speech.duration / left)
         left -= said.speech.duration
         placer.spend(speech.onset, speech.duration, to, "B12")
         marked.inside(placer, speech, said)
+    phrase(placer, placed)
 
 
 def motion(p: Parameters, low: LowLevel) -> Motion:

@@ -25,9 +25,9 @@ from scorebreath.equations.breath import flow_level
 from scorebreath.parameters.modifiers import modifiers
 from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
-from scorebreath.planning.model import BreathGroup
+from scorebreath.planning.model import BreathGroup, Part
 from scorebreath.score.document import Person
-from scorebreath.score.events import Event, Lead
+from scorebreath.score.events import Event, Lead, Utterance
 from scorebreath.script.emotional import ENDS, ahead
 from scorebreath.script.marks import Act, EmotionMark, Mark
 from scorebreath.units import snap
@@ -204,15 +204,17 @@ def _per_syllable(placer: Placer) -> float:
 def _speak(placer: Placer, spoken: Spoken) -> None:
     """The parts of a group, each spoken on the same breath, with what stands between them."""
     per_syllable = _per_syllable(placer)
+    placed: list[tuple[Utterance, Part]] = []
     for number, said in enumerate(spoken.parts):
         if number:
             _between(placer, spoken, said, number)
         speech = parts.utterance(placer.state, spoken, said, low=placer.low, onset=placer.time, number=number)
         placer.events.append(speech)
-        phrase(placer, speech, said.part)
+        placed.append((speech, said.part))
         to = max(placer.levels.floor, placer.volume - said.part.syllables * per_syllable)
         placer.spend(speech.onset, speech.duration, to, f"physiology 2.2: {per_syllable:.4f} VC a syllable")
         marked.inside(placer, speech, said)
+    phrase(placer, placed)
 
 
 def _between(placer: Placer, spoken: Spoken, said: SpokenPart, number: int) -> None:

@@ -1,13 +1,15 @@
 """Intonational phrases: what an utterance is divided into, and the silences in it (A8, A12).
 
 A phrase ends at punctuation, at a line's end in verse, where the voice falls silent for 150 ms or more, where somebody
-told so, and where the utterance ends. How it ends follows from what stands there and from what kind of sentence it is.
+told so, and where an utterance ends that no other touches. How it ends follows from what stands there and from what
+kind of sentence it is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import takewhile
 from typing import NamedTuple
 
 from scorebreath.compose.placer import Placer
@@ -73,11 +75,28 @@ class _Sentence(NamedTuple):
     stanza: int | None
 
 
+class _Spoken(NamedTuple):
+    """A word as spoken, and what is known of it."""
+
+    onset: float
+    """s"""
+    end: float
+    own: range
+    """which of the group's written words it is"""
+    behind: int
+    """the written word that is heard next: those between the two are silent"""
+    part: Part
+    silence: float
+    """s, behind it; 0 where it is shorter than a pause"""
+    over: bool
+    """whether the voice stops behind it: what is said next, if anything, does not touch it"""
+
+
 class _Phrase(NamedTuple):
     """A phrase on its way."""
 
     onset: float
-    """s, within the utterance"""
+    """s"""
     end: float
     words: Sequence[ScriptWord]
     ending: Ending
@@ -87,24 +106,26 @@ class _Phrase(NamedTuple):
     """s, behind it"""
 
 
-def phrase(placer: Placer, speech: Utterance, part: Part) -> None:
-    """Place the phrases of an utterance and the silences between them; moves no time.
+def phrase(placer: Placer, said: Sequence[tuple[Utterance, Part]]) -> None:
+    """Place the phrases of a breath group and the silences between them; moves no time.
+
+    A phrase goes on from one utterance to the next where they touch: that the voice speaks otherwise, of what is
+    emphasised say, divides nothing.
 
     Args:
         placer: Knows the language and how the sentence began; is told how the next one does.
-        speech: As placed.
-        part: What it says.
+        said: The group's utterances as placed, in order, each with the part that it says.
     """
-    state = placer.state
-    sentences = _sentences(part, state.opening)
-    before = sum(isinstance(event, Phrase) for event in placer.events)
-    for number, one in enumerate(_divided(speech, part, sentences, state.language), before + 1):
+    state, body, group = placer.state, placer.state.body, placer.group
+    parts = [part for _, part in said]
+    sentences = _sentences(parts, state.opening)
+    for number, one in enumerate(_divided(_spoken(said), parts, sentences, state.language), 1):
         name = f"{placer.id}.phrase{number}"
-        onset, end = snap(speech.onset + one.onset), snap(speech.onset + one.end)
+        onset, end = snap(one.onset), snap(one.end)
         verse = one.sentence.stanza is not None
         placer.events.append(
             Phrase(
-                id=name, body=speech.body, group=speech.group, onset=onset, duration=snap(end - onset),
+                id=name, body=body, group=group, onset=onset, duration=snap(end - onset),
                 rule=one.ending.rule, source=(one.words[0].source.start, one.words[-1].source.end),
                 break_index=one.ending.break_index, tone=one.ending.tone,
                 position="final" if one.final else "internal", sentence_type=one.sentence.type,
@@ -114,31 +135,70 @@ def phrase(placer: Placer, speech: Utterance, part: Part) -> None:
         if one.silence:
             placer.events.append(
                 Pause(
-                    id=f"{name}.pause", body=speech.body, group=speech.group, onset=end, duration=snap(one.silence),
+                    id=f"{name}.pause", body=body, group=group, onset=end, duration=snap(one.silence),
                     rule="silence in speech", kind=one.ending.silence,
                 )
             )  # fmt: skip
-    going_on = sentences and not part.ends_sentence
+    going_on = sentences and not parts[-1].ends_sentence
     placer.state = replace(state, opening=sentences[-1].openings[0] if going_on else ())
 
 
-def _divided(speech: Utterance, part: Part, sentences: Sequence[_Sentence], language: str) -> Iterator[_Phrase]:
-    """The phrases of an utterance, in order; none where it has no words."""
-    if not (speech.words and part.words):
-        return
-    own = owners(speech.words, part.words)
-    silences = _silences(speech)
+def _spoken(said: Sequence[tuple[Utterance, Part]]) -> list[_Spoken]:
+    """The words of all utterances, in order; none of such as have no words."""
+    out: list[_Spoken] = []
     first = 0
-    for index, (word, here, silence) in enumerate(zip(speech.words, own, silences, strict=True)):
-        over = index + 1 == len(own)
-        behind = len(part.words) if over else own[index + 1].start
-        place = _strongest(part.words, here[-1], behind)
-        ending = _ending(place, heard=silence > 0, over=over)
+    for number, (speech, part) in enumerate(said):
+        stop = first + len(part.words)
+        own = owners(speech.words, part.words) if part.words else []
+        silences = _silences(speech)
+        following = said[number + 1] if number + 1 < len(said) else None
+        touching = following is not None and _touching(speech, following[0]) and bool(following[1].words)
+        for index, (word, here) in enumerate(zip(speech.words, own, strict=False)):
+            last = index + 1 == len(own)
+            silence = silences[index]
+            if last and touching and following is not None:
+                hushed = _hush(speech, -1) + _hush(following[0], 1)
+                silence = hushed if hushed >= PAUSE - ROUNDING else 0.0
+            out.append(
+                _Spoken(
+                    onset=speech.onset + word.onset,
+                    end=speech.onset + word.onset + word.duration,
+                    own=range(first + here.start, first + here.stop),
+                    behind=stop if last else first + own[index + 1].start,
+                    part=part,
+                    silence=silence,
+                    over=last and not touching,
+                )
+            )
+        first = stop
+    return out
+
+
+def _touching(speech: Utterance, following: Utterance) -> bool:
+    """Whether nothing lies between two utterances with words."""
+    return bool(following.words) and following.onset - speech.end <= ROUNDING
+
+
+def _hush(speech: Utterance, direction: int) -> float:
+    """Seconds of silence at the beginning of an utterance (1), or at its end (-1)."""
+    return sum(phone.duration for phone in takewhile(lambda phone: not phone.ipa, speech.phones[::direction]))
+
+
+def _divided(
+    spoken: Sequence[_Spoken], parts: Sequence[Part], sentences: Sequence[_Sentence], language: str
+) -> Iterator[_Phrase]:
+    """The phrases of a group, in order; none where it has no words."""
+    words = [word for part in parts for word in part.words]
+    first = 0
+    for index, one in enumerate(spoken):
+        last = one.own[-1]
+        place = _strongest(words, last, one.behind)
+        ending = _ending(place, heard=one.silence > 0, over=one.over)
         if ending is None:
             continue
-        said = part.words[own[first].start : max(behind, here.stop)]
-        final = part.ends_sentence if over else place is not None and place.edge in CLOSING
-        sentence = sentences[here[-1]]
+        said = words[spoken[first].own.start : max(one.behind, one.own.stop)]
+        final = one.part.ends_sentence if one.over else place is not None and place.edge in CLOSING
+        sentence = sentences[last]
         quoted = not final and ending.tone == HIGH  # a question that ends, though the sentence around it goes on
         if quoted:
             sentence = _Sentence("question", (_opening((), said),), sentence.stanza)
@@ -149,13 +209,13 @@ def _divided(speech: Utterance, part: Part, sentences: Sequence[_Sentence], lang
             strength = None if told.joined else told.break_index
             ending = ending._replace(break_index=strength or ending.break_index, tone=told.tone or ending.tone)
         yield _Phrase(
-            onset=speech.words[first].onset,
-            end=word.onset + word.duration,
+            onset=spoken[first].onset,
+            end=one.end,
             words=said,
             ending=ending,
             final=final,
             sentence=sentence,
-            silence=silence,
+            silence=one.silence,
         )
         first = index + 1
 
@@ -197,21 +257,25 @@ def _tone(sentence: _Sentence, language: str) -> str:
     return HIGH if sentence.type == "question" and not asks_for_word(sentence.openings, language) else LOW
 
 
-def _sentences(part: Part, opening: tuple[str, ...]) -> list[_Sentence]:
-    """The sentence of each word; of the first one, `opening` is what was said of it before."""
+def _sentences(parts: Sequence[Part], opening: tuple[str, ...]) -> list[_Sentence]:
+    """The sentence of each word of a group; of the first one, `opening` is what was said of it before."""
     out: list[_Sentence] = []
-    stanza = part.stanza
-    for stop, word in enumerate(part.words, 1):
-        last = stop == len(part.words)
-        if not last and word.edge not in CLOSING:
-            continue
-        own = part.words[len(out) : stop]
-        kind = part.sentence_type if last else TYPES.get(word.spoken.text[-1:], "statement")
-        later = (_opening((), own[n:]) for n, one in enumerate(own[:-1], 1) if one.edge in EDGES)
-        out += [_Sentence(kind, (_opening(opening, own), *later), stanza)] * len(own)
-        opening = ()
-        if stanza is not None and word.edge == "paragraph":
-            stanza += 1
+    own: list[ScriptWord] = []
+    stanza: int | None = None
+    for number, part in enumerate(parts, 1):
+        if not own:
+            stanza = part.stanza
+        for stop, word in enumerate(part.words, 1):
+            own.append(word)
+            last = stop == len(part.words)
+            if word.edge not in CLOSING and not (last and (number == len(parts) or part.ends_sentence)):
+                continue
+            kind = part.sentence_type if last else TYPES.get(word.spoken.text[-1:], "statement")
+            later = (_opening((), own[n:]) for n, one in enumerate(own[:-1], 1) if one.edge in EDGES)
+            out += [_Sentence(kind, (_opening(opening, own), *later), stanza)] * len(own)
+            own, opening = [], ()
+            if stanza is not None and word.edge == "paragraph":
+                stanza += 1
     return out
 
 

@@ -17,7 +17,7 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.pipeline import compile_text
 from scorebreath.planning.model import Part
 from scorebreath.score.document import Score
-from scorebreath.score.events import Pause, Phone, Phrase, Utterance, Word
+from scorebreath.score.events import Emotion, Pause, Phone, Phrase, Utterance, Word
 from scorebreath.script.reader import read
 from scorebreath.script.told import Told
 from scorebreath.spans import SpokenText
@@ -218,6 +218,30 @@ def test_a_word_without_a_place_is_the_one_before() -> None:
     assert owners(words, ()) == [range(0)] * 3
 
 
+@EVERY
+def test_another_way_of_speaking_cuts_no_phrase(model: str) -> None:
+    said = score("<speak>I really <emphasis>love</emphasis> this little town :-) very much.</speak>", model)
+    assert len(list(said.of(Utterance))) == 3
+    assert phrases(said) == [("I really love this little town :-) very much.", 6, LOW, "final")]
+    (whole,) = said.of(Phrase)
+    first, *_, last = said.of(Utterance)
+    assert whole.onset == first.onset
+    assert whole.end == pytest.approx(last.onset + last.words[-1].onset + last.words[-1].duration, abs=2e-6)
+    (smile,) = said.of(Emotion)
+    assert (smile.onset, smile.phrases) == (whole.onset, (whole.id,))
+
+
+@EVERY
+def test_a_pause_between_utterances_ends_a_phrase(model: str) -> None:
+    said = score("<speak>I really <break time='300ms'/> love <emphasis>this, yes</emphasis>, town.</speak>", model)
+    assert [text for text, *_ in phrases(said)] == ["I really", "love this,", "yes,", "town."]
+
+
+def test_a_question_is_told_by_its_beginning_in_another_utterance() -> None:
+    said = score("<speak>And besides, what <emphasis>would</emphasis> be the use?</speak>")
+    assert [p.tone for p in said.of(Phrase)] == [CONTINUING, LOW]
+
+
 TEXTS = st.lists(
     st.tuples(
         st.sampled_from(["the", "garden", "who", "is", "23", "rose-tree", "Dr.", "it’s", "$5", "never", "e.g."]),
@@ -226,6 +250,34 @@ TEXTS = st.lists(
     min_size=1,
     max_size=30,
 )
+
+
+@settings(max_examples=20, deadline=None)
+@given(TEXTS, st.sampled_from(sorted(MODELS)), st.data())
+def test_phrases_go_on_through_emphasis_and_cover_what_is_said(
+    words: list[tuple[str, str]], model: str, data: st.DataObject
+) -> None:
+    """They cover every word of every utterance, ascending, without overlap."""
+    marked = data.draw(st.lists(st.booleans(), min_size=len(words), max_size=len(words)))
+    tagged = " ".join(
+        f"<emphasis>{word}</emphasis>{mark}" if bold else word + mark
+        for (word, mark), bold in zip(words, marked, strict=True)
+    )
+    said = score(f"<speak>It was {tagged}</speak>", model, poem=False)
+    found = list(said.of(Phrase))
+    for before, after in pairwise(found):
+        assert before.end <= after.onset + 1e-9
+        assert before.source[1] <= after.source[0] + 1
+    for one in said.of(Utterance):
+        for word in one.words:
+            at = one.onset + word.onset
+            (phrase,) = [p for p in found if p.onset - 1e-6 <= at < p.end - 1e-6]
+            assert at + word.duration <= phrase.end + 2e-6
+            assert word.source is not None and phrase.group == one.group
+            assert phrase.source[0] <= word.source[0] and word.source[1] <= phrase.source[1]
+    for phrase in found:
+        inside = [u for u in said.of(Utterance) if phrase.onset - 1e-6 <= u.onset + 1e-6 < phrase.end]
+        assert all(other.onset - one.end < ROUNDING for one, other in pairwise(inside))
 
 
 @settings(max_examples=30, deadline=None)
