@@ -271,12 +271,31 @@ def _sentences(parts: Sequence[Part], opening: tuple[str, ...]) -> list[_Sentenc
             if word.edge not in CLOSING and not (last and (number == len(parts) or part.ends_sentence)):
                 continue
             kind = part.sentence_type if last else TYPES.get(word.spoken.text[-1:], "statement")
-            later = (_opening((), own[n:]) for n, one in enumerate(own[:-1], 1) if one.edge in EDGES)
-            out += [_Sentence(kind, (_opening(opening, own), *later), stanza)] * len(own)
+            ended = word.edge in CLOSING or part.ends_sentence
+            out += [_Sentence(kind, _openings(own, opening, ended=ended), stanza)] * len(own)
             own, opening = [], ()
             if stanza is not None and word.edge == "paragraph":
                 stanza += 1
     return out
+
+
+def _openings(own: Sequence[ScriptWord], begun: tuple[str, ...], *, ended: bool) -> tuple[tuple[str, ...], ...]:
+    """The first words of a sentence's phrases, the first of which has begun already with `begun`.
+
+    Where what ends a sentence is quoted, the mark at its end is the quotation's: that begins where it opens.
+    """
+    starts = [0, *(place for place, word in enumerate(own[:-1], 1) if word.edge in EDGES)]
+    last = own[-1]
+    if ended and last.spoken.runs and last.spoken.runs[-1].source.end < last.source.end:
+        quoted = [place for place in starts if _opens(own[place])]
+        if quoted:
+            starts, begun = [place for place in starts if place >= quoted[-1]], ()
+    return tuple(_opening(begun if not number else (), own[start:]) for number, start in enumerate(starts))
+
+
+def _opens(word: ScriptWord) -> bool:
+    """Whether anything unspoken, such as a quotation mark, stands at a word's beginning."""
+    return bool(word.spoken.runs) and word.source.start < word.spoken.runs[0].source.start
 
 
 def _opening(begun: tuple[str, ...], words: Sequence[ScriptWord]) -> tuple[str, ...]:

@@ -16,7 +16,7 @@ def asks_for_word(openings: Sequence[Sequence[str]], language: str) -> bool:
 
     A question word says so, perhaps behind a conjunction or a preposition; an auxiliary says that it asks for yes or
     no. Behind the first phrase, and where the question word also opens clauses ("When she came, did you see her?"), an
-    auxiliary must follow it.
+    auxiliary must follow it, or nothing at all.
 
     Args:
         openings: The first words of each of the sentence's phrases, `OPENING` of them or more.
@@ -39,7 +39,7 @@ def asks_for_word(openings: Sequence[Sequence[str]], language: str) -> bool:
         first, _, hanging = words[0].partition("'")
         if first not in known.questions:
             continue
-        free = number == 0 and (first not in known.clauses or len(words) == 1)
+        free = len(words) == 1 or (number == 0 and first not in known.clauses)
         if free or hanging or (len(words) > 1 and _auxiliary(words[1], known)):
             return True
     return False

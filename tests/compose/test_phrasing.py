@@ -82,6 +82,11 @@ def test_the_paper_s_own_example_has_its_boundaries() -> None:
         ("Can you show me the way?", HIGH),
         ("And besides, what would be the use?", LOW),
         ("When she came, did you see her?", HIGH),
+        ('He asked, "When?"', LOW),
+        ('He asked: "When?"', LOW),
+        ('Is he the one who asked, "What for?"', LOW),
+        ('What he asked was, "Did you see her?"', HIGH),
+        ('You heard, "who came"?', HIGH),
     ],
 )
 def test_questions_end_high_but_those_for_a_word_do_not(question: str, tone: str) -> None:

@@ -142,6 +142,7 @@ def test_people_hesitate_alike_in_all_languages() -> None:
         ("en", "What’s your name?"),
         ("en", "When did you come?"),
         ("en", "Why?"),
+        ("en", "He asked | when?"),
         ("en", "Very | where’s the Duchess?"),
         ("en", "And besides | what would be the use?"),
         ("de", "Was soll aus uns werden?"),
