@@ -20,6 +20,11 @@ from scorebreath.units import snap
 SHORTEST = 1e-5
 """s; what is shorter is no time."""
 
+LOOKS = ("glance at pause", "search")
+"""Rules of gaze that blinks keep away from."""
+RECENT = 1.0
+"""s for which their onsets are remembered."""
+
 
 @dataclass(slots=True)
 class Actor:
@@ -111,6 +116,9 @@ class Actor:
             from_pitch=pitch, move=snap(move),
         )  # fmt: skip
         self.note(eyes=to, target=target, eyes_until=until)
+        if rule in LOOKS:
+            kept = tuple(look for look in self.memory.looks if look > self.state.time - RECENT)
+            self.note(looks=(*kept, onset))
 
     def _add(
         self, kind: type[Event], what: str, time: tuple[float, float], rule: tuple[str, str], **values: Any

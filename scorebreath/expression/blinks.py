@@ -10,8 +10,9 @@ from collections.abc import Sequence
 
 from scorebreath.equations.looking import blink_interval, blink_limit
 from scorebreath.expression.actor import SHORTEST, Actor
-from scorebreath.expression.coordination import APART, PausePlan
+from scorebreath.expression.coordination import APART, CLEAR, PausePlan, clear
 from scorebreath.expression.scene import Scene
+from scorebreath.units import snap
 
 CLOSE, HOLD = 0.075, 0.01
 OPEN = (0.12, 0.205)
@@ -34,7 +35,10 @@ def due(actor: Actor) -> float:
     return actor.memory.blink_due or 0.0
 
 
-def blink(actor: Actor, onset: float, cause: str, why: str = "", *, scene: Scene | None = None, until: float) -> None:
+def blink(
+    actor: Actor, onset: float, cause: str, why: str = "", *, looks: Sequence[float], until: float,
+    scene: Scene | None = None,
+) -> None:  # fmt: skip
     """Blink, some times twice, and draw when to do so again.
 
     Args:
@@ -42,8 +46,9 @@ def blink(actor: Actor, onset: float, cause: str, why: str = "", *, scene: Scene
         onset: s.
         cause: One of `RULES`.
         why: What made it.
-        scene: The group that is being spoken: a second blink keeps to its phones.
+        looks: Onsets, s, that a second blink keeps away from.
         until: s; a second blink begins before.
+        scene: The group that is being spoken: a second blink keeps to its phones.
     """
     number = actor.memory.numbers.get("blink", 0)
     opening, closed, twice = actor.draws("blink", 3, number)
@@ -51,10 +56,12 @@ def blink(actor: Actor, onset: float, cause: str, why: str = "", *, scene: Scene
     actor.blink(onset, parts, CLOSED[0] + (CLOSED[1] - CLOSED[0]) * closed, RULES[cause], why)
     end = onset + sum(parts)
     if cause != "double" and twice < actor.face.blink_double:
-        again = next(iter(scene.between(end + AT_ONCE, end + LONGEST)), None) if scene else end + AT_ONCE
+        soon = (end + AT_ONCE, *sorted(snap(look + APART + CLEAR) for look in looks))
+        places = scene.between(end + AT_ONCE, end + LONGEST) if scene else soon
+        again = next((at for at in places if end + AT_ONCE <= at <= end + LONGEST and clear(at, looks)), None)
         actor.note(blink_end=end - BETWEEN)
         if again is not None and again < until and free(actor, again):
-            blink(actor, again, "double", scene=scene, until=until)
+            blink(actor, again, "double", looks=looks, until=until, scene=scene)
             return
     actor.note(blink_end=end, blink_due=_draw(actor, onset, number))
 
@@ -74,27 +81,41 @@ def free(actor: Actor, onset: float) -> bool:
     return all(onset + LONGEST < begin or end < onset for begin, end in actor.memory.winks)
 
 
-def speech_blinks(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> None:
-    """All blinks while a group is spoken."""
-    planned = [plan.blink for plan in pauses if plan.blink is not None]
-    looks = [time for plan in pauses for time in plan.looks]
+def speech_blinks(actor: Actor, scene: Scene, pauses: Sequence[PausePlan], coming: Sequence[float]) -> None:
+    """All blinks while a group is spoken, its gaze being decided.
+
+    Args:
+        actor: Who blinks.
+        scene: The group.
+        pauses: The plans of its pauses.
+        coming: Onsets, s, of what the eyes do right behind it.
+    """
+    looks = [*actor.memory.looks, *coming]
+    planned = [at for plan in pauses if (at := _spared(plan, looks)) is not None]
     while True:
         need = max(due(actor), scene.onset)
         if planned and planned[0] <= need + NUDGE:
             at = planned.pop(0)
             if free(actor, at):
-                blink(actor, at, "pause", scene=scene, until=scene.end)
+                blink(actor, at, "pause", looks=looks, until=scene.end, scene=scene)
         elif need < scene.end:
             low = max(scene.onset, actor.memory.blink_end + BETWEEN)
             at = _calm(scene, need, low, looks)
             if at >= scene.end - SHORTEST:
                 return
             if free(actor, at):
-                blink(actor, at, "need", f"{at - _since(actor, at):.1f} s after the last", scene=scene, until=scene.end)
+                why = f"{at - _since(actor, at):.1f} s after the last"
+                blink(actor, at, "need", why, looks=looks, until=scene.end, scene=scene)
             else:
                 actor.note(blink_due=_after_wink(actor, at))
         else:
             return
+
+
+def _spared(plan: PausePlan, looks: Sequence[float]) -> float | None:
+    """Where the blink of a pause goes: where it was planned, else where the pause is over; None: nowhere."""
+    wanted = () if plan.blink is None else (snap(plan.blink), plan.silence.end)
+    return next((at for at in wanted if clear(at, looks)), None)
 
 
 def _since(actor: Actor, at: float) -> float:
@@ -113,7 +134,7 @@ def _calm(scene: Scene, time: float, low: float, looks: Sequence[float]) -> floa
 
     def calm(at: float) -> bool:
         stressed = any(at in span for span in scene.stressed)
-        return not stressed and all(abs(at - look) >= APART + 1e-4 for look in looks)
+        return not stressed and clear(at, looks)
 
     open_ = [silence for silence in scene.silences if silence.free and time in silence]
     if open_ and time >= low and calm(time):

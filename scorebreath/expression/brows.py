@@ -97,4 +97,5 @@ def _question(actor: Actor, onset: float, question: Question, until: float) -> N
     rise, fall = (movement_time(height, BROW_FASTEST, least) for least in (RISE, FALL))
     back = max(until, onset + rise)
     remember(actor, onset)
+    actor.note(held=max(actor.memory.held, back))
     actor.brow((onset, onset + rise, back, back + fall), (height, height, 0.0), "question", f"on {question.text!r}")

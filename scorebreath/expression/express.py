@@ -18,9 +18,9 @@ from scorebreath.expression.coordination import plan_pauses
 from scorebreath.expression.emotion import emotion_events
 from scorebreath.expression.gaze import speech_gaze
 from scorebreath.expression.heads import SETTLE, heads
-from scorebreath.expression.scene import Question, Scene, first_sound, last_sound, questions, scene, speech
+from scorebreath.expression.scene import Question, Scene, first_sound, last_sound, opening, questions, scene, speech
 from scorebreath.expression.search import search_brows, searches
-from scorebreath.expression.silence import LOOK_AHEAD, Bounds, silence
+from scorebreath.expression.silence import LOOK_AHEAD, Bounds, behind, silence
 from scorebreath.expression.state import FaceState, Placed
 from scorebreath.score.events import Blink, Brow, Emotion, Event, Gaze, Head, Phrase
 from scorebreath.script.marks import EmotionMark
@@ -54,8 +54,7 @@ def express(state: FaceState, placed: Placed, *, over: float | None = None) -> t
     while True:
         if actor.memory.silent is not None:
             begins = first_sound(waiting[0]) if waiting else None
-            bounds = Bounds(since=actor.memory.silent, speech=begins, over=over, horizon=actor.memory.horizon)
-            silence(actor, bounds)
+            silence(actor, _bounds(actor, actor.memory.silent, waiting[0] if waiting else None, over))
             if begins is None:
                 break
             _forward(actor, max(actor.memory.silent, begins - UPBEAT))
@@ -73,6 +72,14 @@ def express(state: FaceState, placed: Placed, *, over: float | None = None) -> t
         _forward(actor, over)
     done = replace(actor.state, waiting=tuple(waiting), memory=actor.memory)
     return done, _shown(state, actor.events, felt)
+
+
+def _bounds(actor: Actor, since: float, following: Placed | None, over: float | None) -> Bounds:
+    """Of the silence before a group."""
+    return Bounds(
+        since=since, speech=first_sound(following) if following else None, over=over, horizon=actor.memory.horizon,
+        opening=opening(following, actor.state.language) if following else (),
+    )  # fmt: skip
 
 
 def _forward(actor: Actor, time: float) -> None:
@@ -94,12 +101,13 @@ def _speak(actor: Actor, seen: Scene, following: Placed | None, over: float | No
     held = [(question, _until(question, seen, after, over)) for question in seen.questions]
     pauses = plan_pauses(actor, seen)
     found = searches(actor, seen, pauses)
-    speech_gaze(actor, seen, pauses, found)
     later = questions(following) if following and after and after - seen.end < LOOK_AHEAD else ()
     brows(actor, seen, held, [question.onset for question in later])
     search_brows(actor, found)
     heads(actor, seen, held)
-    speech_blinks(actor, seen, pauses)
+    speech_gaze(actor, seen, pauses, found)
+    plan = behind(actor, _bounds(actor, seen.end, following, over), asked=_asks(seen))
+    speech_blinks(actor, seen, pauses, plan.looks if plan else ())
 
 
 def _until(question: Question, seen: Scene, after: float | None, over: float | None) -> float:

@@ -113,10 +113,7 @@ def _stressed(scene: Scene, time: float) -> bool:
 
 def _glances(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> list[_Glance]:
     """When the eyes must be at the listener, ascending."""
-    found = [
-        _Glance(onset=scene.edge(span.onset), end=scene.edge(span.end), rule="look at the asked")
-        for span in scene.asking
-    ]
+    found = [_Glance(onset=span.onset, end=span.end, rule="look at the asked") for span in _asked(actor, scene)]
     found += [
         _Glance(onset=plan.glance, end=max(plan.silence.end, plan.glance + GLANCE), rule="glance at pause")
         for plan in pauses
@@ -131,6 +128,16 @@ def _glances(actor: Actor, scene: Scene, pauses: Sequence[PausePlan]) -> list[_G
                 end = scene.edge(accent.end)  # the next one is not for the listener: time to go
             found.append(_Glance(onset=onset, end=end, rule="glance at accent", why=f"on {accent.text!r}"))
     return sorted(found, key=lambda glance: glance.onset)
+
+
+def _asked(actor: Actor, scene: Scene) -> list[Span]:
+    """When somebody is being asked: throughout questions, and until what they raise is let go (A22)."""
+    found = [Span(onset=scene.edge(span.onset), end=scene.edge(span.end)) for span in scene.asking]
+    held = actor.memory.held
+    if held > scene.onset:
+        since = max((span.onset for span in found if span.onset < held), default=scene.onset)
+        found.append(Span(onset=since, end=next(iter(scene.between(held, scene.end)), scene.end)))
+    return found
 
 
 def _chosen(actor: Actor, scene: Scene, pauses: Sequence[_Glance]) -> list[bool]:
@@ -178,32 +185,48 @@ def _runs(actor: Actor, scene: Scene, glances: Sequence[_Glance], searches: Sequ
         on = _without(on, search.onset, search.end)
     chosen = [Span(onset=low, end=high) for low, high in on]
     busy = sorted([*on, *((search.onset, search.end) for search in searches)])
-    gaps = _gaps(busy, scene.onset, scene.end)
-    spared = [
-        accent for accent in scene.accents if not any(accent.onset < s.end and s.onset < accent.end for s in chosen)
-    ]
-    must: list[tuple[float, float]] = []
-    may: list[tuple[float, float]] = []
-    for gap in gaps:
-        begin = _leave(scene, gap)
-        if begin is not None:
-            skipped = any(begin <= accent.onset < gap[1] for accent in spared)
-            (must if skipped else may).append((begin, gap[1]))
-    away = list(must)
-    left = (1.0 - actor.face.look_at_listener) * (scene.end - scene.onset) - sum(high - low for low, high in away)
-    for low, high in sorted(may, key=lambda gap: gap[0] - gap[1]):
-        if left >= 0.8 * (high - low):
-            away.append((low, high))
-            left -= high - low
+    asked = [glance for glance in glances if glance.rule == "look at the asked"]
+    away = _away(actor, scene, _gaps(busy, scene.onset, scene.end), chosen, asked)
     others = [_Run(onset=low, end=high) for low, high in away]
     others += [_Run(onset=search.onset, end=search.end, search=search) for search in searches]
     rest = _gaps(sorted((run.onset, run.end) for run in others), scene.onset, scene.end)
     return sorted([*others, *(_Run(onset=low, end=high, listener=True) for low, high in rest)], key=lambda r: r.onset)
 
 
-def _leave(scene: Scene, gap: tuple[float, float]) -> float | None:
+def _away(
+    actor: Actor, scene: Scene, gaps: Sequence[tuple[float, float]], chosen: Sequence[Span], asked: Sequence[_Glance]
+) -> list[tuple[float, float]]:  # fmt: skip
+    """Times for which the eyes leave the listener, all together as long as they may.
+
+    Gaps with accents that are not for the listener come first, then the longest. What is left for the last one is
+    all that is left of the time, or, if that is too short to be seen, chance.
+    """
+    if actor.face.gaze_away <= 0.0:
+        return []
+    spared = [a for a in scene.accents if not any(a.onset < s.end and s.onset < a.end for s in chosen)]
+    found = []
+    for low, high in gaps:
+        begin = _leave(scene, (low, high), asked)
+        if begin is not None:
+            found.append((not any(begin <= accent.onset < high for accent in spared), begin - high, begin, high))
+    left = (1.0 - actor.face.look_at_listener) * (scene.end - scene.onset)
+    away = []
+    for number, (_, _, low, high) in enumerate(sorted(found)):
+        if left < AWAY:
+            left = AWAY if actor.draws("away.last", 1, number)[0] * AWAY < left else 0.0
+        end = scene.edge(low + left, low + NARROW)
+        end = high if high - end <= NARROW else end
+        if left > 0.0:
+            away.append((low, end))
+            left = max(0.0, left - (end - low))
+    return away
+
+
+def _leave(scene: Scene, gap: tuple[float, float], asked: Sequence[_Glance]) -> float | None:
     """Where in a gap the eyes may leave the listener; None: nowhere."""
     for edge in scene.between(gap[0], gap[1] - AWAY):
+        if any(span.onset - 1e-6 <= edge < span.end - 1e-6 for span in asked):
+            continue
         moving = Span(onset=edge - GUARD, end=edge + NARROW + GUARD)
         if not any(peak.time in moving for peak in scene.peaks) and not _stressed(scene, edge):
             return edge
@@ -293,6 +316,8 @@ def _fidgets(
 ) -> list[tuple[float, tuple[float, float]]]:
     """Times of small shifts, at boundaries where no accent and no maximum is, with two numbers drawn for each."""
     found: list[tuple[float, tuple[float, float]]] = []
+    if actor.face.gaze_range <= 0.0:
+        return found
     time, order = run.onset, 0
     while True:
         wait, size, angle = actor.draws("fidget", 3, f"{number}.{order}")

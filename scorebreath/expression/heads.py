@@ -88,5 +88,5 @@ def _question(actor: Actor, scene: Scene, held: tuple[Question, float], roll: fl
     apex = onset + _needs(pitch, roll)
     back = max(until, apex)
     end = back + movement_time(max(pitch, 1.5 * abs(roll)), HEAD_FASTEST, SETTLE)
-    actor.note(head_until=end)
+    actor.note(head_until=end, held=max(actor.memory.held, back))
     actor.head((onset, apex, back, end), pitch, roll, "question", f"on {question.text!r}")

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 from scorebreath.expression.accents import Peak, Span, accents, peaks
 from scorebreath.expression.state import Placed
@@ -56,7 +56,7 @@ class Scene:
     silences: tuple[Silence, ...]
     phrases: tuple[Span, ...]
     asking: tuple[Span, ...]
-    """stretches that belong to questions"""
+    """from a question's first sound to where speech goes on behind it"""
     questions: tuple[Question, ...]
     hesitations: tuple[Span, ...]
 
@@ -88,6 +88,16 @@ def last_sound(placed: Placed) -> float:
     return max(sound.end for utterance in speech(placed) for sound in _sounds(utterance))
 
 
+def opening(placed: Placed, language: str) -> tuple[float, ...]:
+    """Onsets of what the eyes may do as soon as it speaks: a search on its first word, a glance right behind that."""
+    begun = [sound for utterance in speech(placed) for sound in _sounds(utterance)]
+    near = [sound for sound in begun if sound.onset <= begun[0].onset + PAUSE]
+    found = [one.end for one, other in pairwise(begun[: len(near) + 1]) if snap(other.onset - one.end) >= PAUSE]
+    words = [(_span(u, word, word.text), word) for u in speech(placed) for word in u.words[:2]]
+    found += [span.onset for span, word in words if is_hesitation(word.text, language)]
+    return tuple(found)
+
+
 def questions(placed: Placed) -> tuple[Question, ...]:
     """Last words of the questions that end in a group."""
     utterances = speech(placed)
@@ -104,6 +114,7 @@ def scene(placed: Placed, language: str) -> Scene:
     phrases = _phrases(placed.events, utterances)
     asking = [each for each in phrases if each.sentence_type == "question"]
     words = [(word, utterance) for utterance in utterances for word in utterance.words]
+    asked = _questions(asking, words, sounds)
     edges = {snap(u.onset + t) for u in utterances for p in u.phones for t in (p.onset, p.onset + p.duration)}
     edges |= {time for sound in sounds for time in (sound.onset, sound.end)}
     silences = _silences(sounds, utterances, phrases, placed.events)
@@ -122,10 +133,20 @@ def scene(placed: Placed, language: str) -> Scene:
         peaks=tuple(peak for u in utterances for peak in peaks(u) if meant(peak.time, peak.syllable)),
         silences=silences,
         phrases=tuple(Span(onset=each.onset, end=each.end) for each in phrases),
-        asking=tuple(Span(onset=each.onset, end=each.end) for each in asking),
-        questions=_questions(asking, words, sounds),
+        asking=tuple(_asking(phrases, asked)),
+        questions=asked,
         hesitations=hesitations,
     )
+
+
+def _asking(phrases: Sequence[_Phrase], asked: Sequence[Question]) -> Iterator[Span]:
+    """Questions as a whole: runs of their phrases, with the pauses in between and the one behind (A22)."""
+    for kind, run in groupby(phrases, key=lambda phrase: phrase.sentence_type):
+        if kind == "question":
+            parts = list(run)
+            low, high = parts[0].onset, max(part.end for part in parts)
+            behind = [each.until for each in asked if each.until is not None and low <= each.onset < high]
+            yield Span(onset=low, end=max([high, *behind]))
 
 
 def _span(utterance: Utterance, part: Phone | Word, text: str = "") -> Span:

@@ -8,11 +8,11 @@ the silence was told.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from scorebreath.expression.actor import SHORTEST, Actor
 from scorebreath.expression.blinks import BETWEEN, LONGEST, blink, due, free
-from scorebreath.expression.coordination import APART, plan_pause
+from scorebreath.expression.coordination import APART, PausePlan, clear, plan_pause
 from scorebreath.expression.emotion import LONGEST_SILENCE
 from scorebreath.expression.gaze import FIXATION, NARROW, aside, near_listener, nearer
 from scorebreath.expression.scene import PAUSE, Silence
@@ -40,6 +40,8 @@ class Bounds:
     """s when all is over; None: not known yet"""
     horizon: float
     """s up to which something is known"""
+    opening: tuple[float, ...] = ()
+    """s; onsets of what the eyes may do as soon as speech goes on"""
 
     def ready(self, time: float) -> bool:
         """Whether enough is known to decide what happens then."""
@@ -74,38 +76,51 @@ def silence(actor: Actor, bounds: Bounds) -> None:
     _wander(actor, bounds)
 
 
+def behind(actor: Actor, bounds: Bounds, *, asked: bool) -> PausePlan | None:
+    """What happens at the pause behind a group; None: nothing does."""
+    length = bounds.soon()
+    if actor.memory.place == "start" or length < PAUSE:
+        return None
+    pause = Silence(onset=bounds.since, end=snap(bounds.since + length), free=True, search=False)
+    plan = plan_pause(actor, pause, "behind", asked=asked)
+    if plan.glance is not None and not clear(plan.glance, bounds.opening):  # a search comes with the next word
+        return replace(plan, glance=bounds.since)
+    return plan
+
+
 def _enter(actor: Actor, bounds: Bounds) -> None:
     """The pause's own blink and glance."""
     actor.note(entered=True)
-    length = bounds.soon()
-    if actor.memory.place == "start" or length < PAUSE:
+    plan = behind(actor, bounds, asked=actor.memory.asked)
+    if plan is None:
         return
-    behind = Silence(onset=bounds.since, end=bounds.since + length, free=True, search=False)
-    plan = plan_pause(actor, behind, "behind", asked=actor.memory.asked)
+    end = plan.silence.end
     if plan.glance is not None:
         actor.gaze(plan.glance, actor.memory.eyes, actor.memory.target, _staying(actor))
         size, angle = actor.draws("look", 2, "behind")
-        until = bounds.fitted(min(plan.glance + FIXATION[0] + size, bounds.since + length))
+        until = bounds.fitted(min(plan.glance + FIXATION[0] + size, end))
         actor.gaze(until, near_listener(actor, size, angle), "listener", "glance at pause")
     elif not actor.memory.asked:
-        actor.note(run_until=bounds.since + min(length, THOUGHT), run=actor.memory.eyes)
-    if plan.blink is not None and free(actor, plan.blink):
-        blink(actor, plan.blink, "pause", until=bounds.last - LONGEST)
-    if plan.glance is not None and abs(max(due(actor), bounds.since) - plan.glance) < APART:
-        actor.note(blink_due=plan.glance + APART + 0.01)
+        actor.note(run_until=min(end, bounds.since + THOUGHT), run=actor.memory.eyes)
+    looks = (*actor.memory.looks, *bounds.opening)
+    if plan.blink is not None and free(actor, plan.blink) and clear(plan.blink, looks):
+        blink(actor, plan.blink, "pause", looks=looks, until=bounds.last - LONGEST)
 
 
 def _staying(actor: Actor) -> str:
-    return "look at listener" if actor.memory.target == "listener" else "look away"
+    return "look at listener" if actor.memory.target == "listener" else "listen"
 
 
 def _blinks(actor: Actor, bounds: Bounds) -> None:
     """Blinks that the eyes need."""
+    looks = (*actor.memory.looks, *bounds.opening)
     while (at := max(due(actor), bounds.since, actor.memory.blink_end + BETWEEN)) < bounds.end:
         if not bounds.ready(at) or (bounds.over is not None and at + LONGEST > bounds.over):
             return
-        if free(actor, at):
-            blink(actor, at, "need", until=bounds.last - LONGEST)
+        if not clear(at, looks):
+            actor.note(blink_due=max(look for look in looks if not clear(at, (look,))) + APART + 0.01)
+        elif free(actor, at):
+            blink(actor, at, "need", looks=looks, until=bounds.last - LONGEST)
         else:
             wink = max(end for begin, end in actor.memory.winks if begin <= at + LONGEST)
             actor.note(blink_due=wink + BETWEEN)
@@ -129,10 +144,10 @@ def _wander(actor: Actor, bounds: Bounds) -> None:
 def _turn(actor: Actor, bounds: Bounds, time: float, draws: list[float]) -> None:
     """A run is over: eyes go away, or come back; for how long."""
     share = actor.face.look_when_silent
-    speaking = actor.memory.place != "start" and time < bounds.since + THOUGHT
+    speaking = actor.memory.place != "start" and time < max(bounds.since + THOUGHT, actor.memory.held)
     soon = bounds.speech is not None and bounds.speech - time < AWAY + THOUGHT
     leaves = actor.memory.target == "listener" and actor.memory.run_until is not None
-    if leaves and not speaking and not soon and share < 1.0:
+    if leaves and not speaking and not soon and share < 1.0 and actor.face.gaze_away > 0.0:
         length = AWAY + AWAY_SPREAD * (2.0 * draws[1] - 1.0)
         name, eyes = aside(actor, draws[3:])
         actor.note(run_until=time + length, target=name, run=eyes)

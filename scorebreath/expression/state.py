@@ -41,6 +41,8 @@ class Memory:
     """whether the next group's emotions are"""
     asked: bool = False
     """whether what was said last is a question"""
+    held: float = 0.0
+    """s; when what the last question raised is let go"""
     horizon: float = 0.0
     """s up to which events have been placed"""
     eyes: tuple[float, float] = (0.0, 0.0)
@@ -56,6 +58,8 @@ class Memory:
     """s; when the eyes need a blink; None: not drawn yet"""
     blink_end: float = -1.0
     """s; when the last blink is over"""
+    looks: tuple[float, ...] = ()
+    """s; onsets of glances at pauses and of searches that blinks keep away from"""
     winks: tuple[tuple[float, float], ...] = ()
     """s; onsets and ends of winks to come"""
     head_until: float = -1.0

@@ -84,7 +84,8 @@ class FaceTable(BreathTable):
         level="face", source="A34",
     )  # fmt: skip
     look_at_listener: float | None = row(
-        None, "Share of speaking time for which the eyes stay at the listener", low=0, high=1,
+        None, "Share of speaking time for which the eyes are at the listener, at least: glances add to it",
+        low=0, high=1,
         level="face", source="physiology 7.5 (Argyle & Cook 1976: 41 %)",
     )  # fmt: skip
     look_when_silent: float | None = row(

@@ -54,20 +54,25 @@ def test_onsets_within_speech_are_at_phone_boundaries(name: str) -> None:
                 assert np.abs(edges - event.onset).min() < 2e-6, event.rule
 
 
+HESITANT = f"{STORY} Er, he went [pause 0.15] away, uhm, [pause 0.6] and I, er, came. [pause 0.3] Er, no."
+
+
+@pytest.mark.parametrize("rates", [{}, {"blink_double": 0.5, "blink_interval": 1.0}])
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("name", FACES)
-def test_at_a_pause_one_thing_begins_at_a_time(name: str, seed: int) -> None:
-    score = performed(face=name, seed=seed)
+def test_at_a_pause_one_thing_begins_at_a_time(name: str, seed: int, rates: dict[str, float]) -> None:
+    score = performed(HESITANT, face=name, seed=seed, times=2, **rates)
     groups = scenes(score)
     pauses = [(s.onset, s.end) for seen in groups for s in seen.silences]
     pauses += [(seen.end, after.onset) for seen, after in pairwise(groups)]
-    events: list[Event] = [e for e in moves(score) if isinstance(e, Blink) and not e.rule.startswith("double")]
+    events: list[Event] = [e for e in moves(score) if isinstance(e, Blink)]
     events += [e for e in moves(score) if isinstance(e, Gaze) and e.rule.startswith(("search", "glance at pause"))]
+    assert len(ruled(events, "double blink")) > 5 or not rates
     found = 0
     for low, high in pauses:
-        begun = sorted(e.onset for e in events if low - 1e-6 <= e.onset <= high + 1e-6)
+        begun = sorted(e.onset for e in events if low - 0.15 <= e.onset <= high + 0.15)
         found += len(begun) > 1
-        assert all(after - before >= 0.15 - 2e-6 for before, after in pairwise(begun))
+        assert all(after - before >= 0.15 - 1e-9 for before, after in pairwise(begun))
     assert found
 
 
@@ -182,7 +187,7 @@ def test_a_body_that_listens_looks_at_the_other_most_of_the_time() -> None:
     assert len(ruled(blinks, "blink by itself")) > 20
 
 
-@pytest.mark.parametrize("seed", [1, 4, 6])
+@pytest.mark.parametrize("seed", [2, 3, 6])
 def test_the_papers_own_line(seed: int) -> None:
     """S3, figure 3: a smile and a wink at ";-)", brows, head and glance on "conference", the raise on "hall".
 
