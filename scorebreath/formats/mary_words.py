@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import zip_longest
+from typing import Literal
 
 from scorebreath.score.document import Group, Score
-from scorebreath.score.events import Emotion, Event, Marker, Phone, Phrase, Utterance, Word
+from scorebreath.score.events import Emotion, Event, Marker, Pause, Phone, Phrase, Utterance, Word
 
 SENTENCE_SITES = frozenset({"sentence", "paragraph", "text end"})
 PARAGRAPH_SITES = frozenset({"paragraph", "text end"})
 SENTENCE, PARAGRAPH, PHRASE = 5, 6, 4
 """Break indices of ends that no phrase tells of."""
+NEAR = 0.02
+"""s within which a pause begins where a word ends: voices leave samples of silence behind it."""
 
 _EMOTICON = re.compile(r"(?<!\w)(?:[:;=][-'^oO]?[()|/\\DPpoO*]|<3)(?!\w)")
 _CLOSING = re.compile(r"[.,;:!?…)\]}\"'”’»«“]+")
@@ -44,8 +47,10 @@ class Said:
     """whether it comes of the same written text as the word before it"""
     break_index: int = 0
     """of the boundary behind it; 0: none"""
-    silence: float = 0.0
-    """s until the next word"""
+    ends: Literal["", "sentence", "paragraph"] = ""
+    """what ends behind it, whatever its break index"""
+    asked: float = 0.0
+    """s of silence that somebody asked for behind it"""
 
     @property
     def onset(self) -> float:
@@ -78,6 +83,7 @@ def said(score: Score) -> list[Said]:
     words.sort(key=lambda one: one.onset)
     _punctuate(words, score.text)
     _bound(words)
+    _pause(words, score.of(Pause))
     _place(words, [*score.of(Emotion), *score.of(Marker)])
     return words
 
@@ -117,10 +123,12 @@ def _punctuate(words: Sequence[Said], text: str) -> None:
             one.merged = True
         elif source[0] >= place:
             gap = _EMOTICON.sub(" ", text[place : source[0]])
-            if last is not None:
+            if last is not None and gap and not any(map(str.isspace, gap)) and last.phrase is one.phrase:
+                one.merged = True  # the parts of an address, say, with what is not spoken between them
+            elif last is not None:
                 last.closing = tuple(_closing(gap))
                 gap = gap[len("".join(last.closing)) :] if last.closing and last.closing[0] == gap[:1] else gap
-            opening = _OPENING.search(gap)
+            opening = None if one.merged else _OPENING.search(gap)
             one.opening = tuple(_MARKS.findall(opening.group())) if opening else ()
         place = max(place, source[1])
         last = one
@@ -138,35 +146,49 @@ def _closing(gap: str) -> Iterator[str]:
 
 def _bound(words: Sequence[Said]) -> None:
     """Find where phrases, sentences and paragraphs end."""
-    for one, following in pairwise(words):
-        one.silence = max(0.0, following.onset - one.end)
-        one.break_index = _break(one, following)
-    if words:
-        words[-1].break_index = _break(words[-1], None)
+    for one, following in zip_longest(words, words[1:]):
+        one.break_index, one.ends = _break(one, following)
 
 
-def _break(one: Said, following: Said | None) -> int:
-    """Break index behind a word."""
+def _break(one: Said, following: Said | None) -> tuple[int, Literal["", "sentence", "paragraph"]]:
+    """Break index behind a word, as its phrase has it, and what ends there."""
     phrase, group = one.phrase, one.group
-    ended = following is None or following.group is not group
-    if phrase is not None:
-        if following is not None and following.phrase is phrase and following.utterance.body == one.utterance.body:
-            return 0
-        at_end = following is None or phrase.position == "final"
-        index = max(phrase.break_index, SENTENCE) if at_end else phrase.break_index or 1
-        return PARAGRAPH if index == SENTENCE and ended and group and group.cut.site in PARAGRAPH_SITES else index
-    if not ended:
-        return 0
-    if group is None or group.cut.site not in SENTENCE_SITES:
-        return SENTENCE if following is None else PHRASE
-    return PARAGRAPH if group.cut.site in PARAGRAPH_SITES else SENTENCE
+    left = following is None or following.group is not group
+    site = group.cut.site if left and group is not None else "word"
+    if phrase is None:
+        if not left:
+            return 0, ""
+        if site not in SENTENCE_SITES and following is not None:
+            return PHRASE, ""
+        return (PARAGRAPH, "paragraph") if site in PARAGRAPH_SITES else (SENTENCE, "sentence")
+    if following is not None and following.phrase is phrase and following.utterance.body == one.utterance.body:
+        return 0, ""
+    if following is not None and phrase.position != "final":
+        return phrase.break_index or 1, ""
+    paragraph = site in PARAGRAPH_SITES if left and group is not None else phrase.break_index == PARAGRAPH
+    return phrase.break_index or SENTENCE, "paragraph" if paragraph else "sentence"
+
+
+def _pause(words: Sequence[Said], pauses: Iterable[Pause]) -> None:
+    """Give the words the silences that were asked for behind them: all others come by themselves when it is read."""
+    own = _by_body(words)
+    ends = {body: [one.end for one in said] for body, said in own.items()}
+    for pause in pauses:
+        index = bisect_right(ends.get(pause.body, ()), pause.onset + NEAR) - 1
+        if pause.kind == "asked" and index >= 0:
+            own[pause.body][index].asked += pause.duration
+
+
+def _by_body(words: Sequence[Said]) -> dict[str, list[Said]]:
+    own: dict[str, list[Said]] = {}
+    for one in words:
+        own.setdefault(one.utterance.body, []).append(one)
+    return own
 
 
 def _place(words: Sequence[Said], events: Sequence[Event]) -> None:
     """Put emotions, at their climax, and markers between the words of their body."""
-    own: dict[str, list[Said]] = {}
-    for one in words:
-        own.setdefault(one.utterance.body, []).append(one)
+    own = _by_body(words)
     middles = {body: [(one.onset + one.end) / 2.0 for one in said] for body, said in own.items()}
     for event in sorted(events, key=_time):
         if event.body not in own:

@@ -15,7 +15,7 @@ from typing import BinaryIO
 from xml.sax.saxutils import escape, quoteattr
 
 from scorebreath.formats.mary_phones import Syllable, name_of, sounds, syllables_of, written
-from scorebreath.formats.mary_words import PARAGRAPH, SENTENCE, Said, said
+from scorebreath.formats.mary_words import SENTENCE, Said, said
 from scorebreath.score.document import Score
 from scorebreath.score.events import Emotion, Event, Marker, Phone, Utterance
 from scorebreath.units import snap
@@ -53,6 +53,9 @@ TONES = frozenset(
     }
 )  # fmt: skip
 """Labels of boundary tones in the schema."""
+
+BREATH = 1.2
+"""s that a sentence's end takes by itself: whoever reads a silence there asks only for what is beyond."""
 
 SILENCE = "_"
 """What MARY calls a phone that is none."""
@@ -117,7 +120,7 @@ def write(stream: BinaryIO, score: Score) -> None:
     paragraph: list[Said] = []
     for one in said(score):
         paragraph.append(one)
-        if one.break_index == PARAGRAPH:
+        if one.ends == "paragraph":
             _paragraph(out, paragraph, voices, language)
             paragraph = []
     if paragraph:
@@ -133,7 +136,7 @@ def _paragraph(out: _Out, words: Sequence[Said], voices: Mapping[str, str], lang
     for number, one in enumerate(words):
         sentence.append(one)
         last = number + 1 == len(words) or words[number + 1].utterance.body != one.utterance.body
-        if not last and one.break_index < SENTENCE:
+        if not last and not one.ends:
             continue
         voice = voices[one.utterance.body]
         if voice != speaking:
@@ -247,7 +250,7 @@ def _pitch(utterance: Utterance, phone: Phone) -> str:
 def _boundary(out: _Out, one: Said) -> None:
     """The boundary behind a word."""
     tone = one.phrase.tone.upper() if one.phrase else ""
-    silence = round(one.silence * 1000.0)
+    silence = round((one.asked + (BREATH if one.break_index >= SENTENCE else 0.0)) * 1000.0) if one.asked else 0
     out.empty(
         "boundary",
         breakindex=str(one.break_index),

@@ -6,7 +6,6 @@ import dataclasses
 import io
 import re
 from collections.abc import Callable, Iterator
-from itertools import pairwise
 from xml.etree import ElementTree
 
 import pytest
@@ -17,13 +16,14 @@ from scorebreath.equations.phones import ipa_of
 from scorebreath.formats import maryxml
 from scorebreath.formats.formats import ExportOptions, format_named
 from scorebreath.formats.mary_phones import NAMES, STRESS, name_of, syllables_of, written
-from scorebreath.formats.maryxml import ACCENTS, ACCENTS_OF_WORDS, NAMESPACE, PUBLISHED, TONES
+from scorebreath.formats.maryxml import ACCENTS, ACCENTS_OF_WORDS, BREATH, NAMESPACE, PUBLISHED, TONES
 from scorebreath.media.store import MemoryStore
 from scorebreath.pipeline import compile_text
 from scorebreath.score.document import Score
-from scorebreath.score.events import Emotion, Level, Marker, Phone, Phrase, Pitch, Utterance, Word
+from scorebreath.score.events import Emotion, Level, Marker, Pause, Phone, Phrase, Pitch, Utterance, Word
 from scorebreath.script.marks import Act, EmotionMark, NamedMark
 from scorebreath.script.markup.marked import marked
+from scorebreath.script.markup.maryxml import document
 from scorebreath.script.reader import read
 from scorebreath.speech.tone.voice import ToneVoice
 from tests.curves.scores import MEDIA, score_of
@@ -185,13 +185,57 @@ def test_times_are_the_score_s() -> None:
     assert [int(phone["d"]) for phone in phones] == [max(1, round(phone.duration * 1000)) for phone in said]
 
 
-def test_silences_are_told_in_ms() -> None:
-    score = compiled("One, two. [pause 0.5] Three.")
-    words = [(u.onset + w.onset, w.duration) for u in score.of(Utterance) for w in u.words]
+def test_silences_that_were_asked_for_are_told_in_ms() -> None:
+    """At a sentence's end 1.2 s go by without being asked for."""
+    score = compiled("One, [pause 0.3] two. [pause 0.5] Three.")
     told = [int(e.attrib.get("duration", "0")) for name, e, _ in elements(made(score)) if name == "boundary"]
-    silences = [round((following[0] - onset - length) * 1000) for (onset, length), following in pairwise(words)]
-    assert told == [*(silence for silence in silences if silence > 0), 0]
-    assert any(isinstance(mark, Act) for mark in marked(made(score).decode()).marks)
+    assert told == [300, 1700, 0]
+    assert [mark.seconds for mark in marked(made(score).decode()).marks if isinstance(mark, Act)] == [0.3, 0.5]
+    assert BREATH == document.BREATH
+
+
+@pytest.mark.parametrize(("text", "language"), [(TEXT, "en"), (POEM, "de"), (f"{POEM}\n" * 3, "de")])
+def test_what_is_read_back_lasts_as_long(text: str, language: str) -> None:
+    """A planned breath's pause is not asked for again, and neither is a voice's own at a comma."""
+    score = compiled(text, language=language)
+    again = compiled(made(score).decode("utf-8"))
+    assert again.duration == pytest.approx(score.duration, rel=0.06)
+    assert not [pause for pause in again.of(Pause) if pause.kind == "asked"]
+
+
+@pytest.mark.parametrize("index", [4, 5, 6])
+def test_the_last_boundary_is_the_score_s(index: int) -> None:
+    """S3's own example ends with 4."""
+    tokens = f"<s><t>One</t><boundary breakindex='{index}'/></s>"
+    score = compiled(f"<maryxml version='0.5' xml:lang='en'><p>{tokens}{tokens}</p></maryxml>")
+    told = [element.attrib["breakindex"] for name, element, _ in elements(made(score)) if name == "boundary"]
+    assert [phrase.break_index for phrase in score.of(Phrase)] == [index, index]
+    assert told == [str(index)] * 2
+    assert [name for name, _, _ in elements(made(score))].count("s") == 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "See http://a.b/c?d=1 now.",
+        "Is it at x.org/?q=a&b=c! or not?",
+        "At 12:30 he said, “Why?” and left: gone (for good).",
+        "Wait...what? Yes!",
+    ],
+)
+def test_sentences_are_read_back_as_they_were(text: str) -> None:
+    score = compiled(text)
+    check(made(score))
+    again = compiled(made(score).decode("utf-8"))
+
+    def said(one: Score) -> list[str]:
+        return [word.text.casefold() for utterance in one.of(Utterance) for word in utterance.words]
+
+    def ends(one: Score) -> list[tuple[str, str]]:
+        return [(p.sentence_type, p.tone) for p in one.of(Phrase) if p.position == "final"]
+
+    assert said(again) == said(score)
+    assert ends(again) == ends(score)
 
 
 def test_who_speaks_is_told() -> None:
