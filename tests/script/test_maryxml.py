@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 
 from scorebreath.errors import ScriptError
+from scorebreath.formats import maryxml
 from scorebreath.score.acting import EMOTIONS
 from scorebreath.script.decode import decode
 from scorebreath.script.marks import Act, EmotionMark, NamedMark, ProsodyMark, VoiceMark
 from scorebreath.script.markup.marked import Marked, is_maryxml, is_ssml, marked
+from scorebreath.script.markup.maryxml import labels
 from scorebreath.script.markup.maryxml.document import BREATH
 from scorebreath.script.markup.maryxml.elements import ELEMENTS, IN_WORDS
 from scorebreath.script.markup.maryxml.meaning import MEANINGS, VOCALIZATIONS
@@ -260,6 +262,15 @@ def test_a_told_boundary_says_whether_a_phrase_ends() -> None:
     assert not Told(accent="h*").joined
 
 
+def test_labels_are_the_schema_s_in_any_case() -> None:
+    assert {one.lower() for one in maryxml.ACCENTS_OF_WORDS} == labels.ACCENTS
+    assert {one.lower() for one in maryxml.TONES} == labels.TONES
+    for label in labels.ACCENTS | maryxml.ACCENTS_OF_WORDS:
+        assert told(words(RAW.format("en", f"<t accent='{label}'>so</t>"))["so"]).accent == label.lower()
+    for label in labels.TONES | maryxml.TONES:
+        assert told(words(RAW.format("en", f"so<boundary tone='{label}'/>"))["so"]).tone == label.lower()
+
+
 def test_a_boundary_before_all_is_a_pause() -> None:
     found = raw("<boundary duration='100'/>One")
     assert (found.text, found.told, found.marks[0].at) == ("One", (), 0)
@@ -327,6 +338,9 @@ def test_bytes_in_the_encoding_the_document_names(encoding: str) -> None:
         ("<maryxml><speak>a</speak></maryxml>", 1, 10, ("no element is called <speak>", "<speaker>")),
         ("<maryxml><t acent='h*'>a</t></maryxml>", 1, 13, ("acent of <t> is unknown", "accent")),
         ("<maryxml><t accent='h* l*'>a</t></maryxml>", 1, 21, ("accent='h* l*' of <t>", "ToBI")),
+        ("<maryxml><t accent='banana'>a</t></maryxml>", 1, 21, ("accent='banana' of <t>", "l+h*")),
+        ("<maryxml><t accent='X*'>a</t></maryxml>", 1, 21, ("accent='X*' of <t>", "ToBI")),
+        ("<maryxml>a<boundary tone='zz'/></maryxml>", 1, 27, ("tone='zz' of <boundary>", "h-l%")),
         ("<maryxml><boundary breakindex='7'/></maryxml>", 1, 32, ("breakindex='7' of <boundary>", "1 to 6")),
         ("<maryxml><boundary duration='soon'/></maryxml>", 1, 30, ("duration='soon'", "200ms")),
         ("<maryxml><boundary duration='61s'/></maryxml>", 1, 30, ("at most 60 s",)),

@@ -10,7 +10,7 @@ from scorebreath.errors import InputError, did_you_mean
 from scorebreath.score.acting import EMOTIONS
 from scorebreath.script.marks import Act, ActName, EmotionMark, NamedMark, VoiceMark
 from scorebreath.script.markup.attributes import Attributes
-from scorebreath.script.markup.maryxml import quantities
+from scorebreath.script.markup.maryxml import labels, quantities
 from scorebreath.script.markup.maryxml.document import MaryDocument, Token
 from scorebreath.script.markup.meaning import Close, check_language, prosody_until_end
 from scorebreath.script.markup.names import is_name
@@ -24,8 +24,8 @@ EMOTION = re.compile(r"emotion\.(?P<name>[a-z]+)(?:\.(?P<percent>[0-9]{1,3}))?(?
 """A mark's name that stands for an emotion, as we write it: the published schemas have no element for one."""
 BODY_PREFIX = ":"
 """What is in every name of a voice of ours, such as `espeak:de`, and in none of MaryTTS's."""
-ACCENT_UNKNOWN, ACCENT_ANY = "unknown", "*"
-LONGEST_LABEL = 32
+LONGEST_POS = 32
+"""Letters of a part of speech."""
 LANGUAGE = "de"
 """Of a document without a language and a version: before its schemas, MARY spoke German alone (S3 7)."""
 
@@ -128,13 +128,10 @@ def _phrase(document: MaryDocument, _: Attributes) -> Close:
 
 def _token(document: MaryDocument, attributes: Attributes) -> Close:
     values = attributes.values
-    accent = values.get("accent", "").strip().lower()
-    label = f"a ToBI label of at most {LONGEST_LABEL} letters, such as l+h*, or none"
-    attributes.read("accent", _label, "", label)
     sounds = (values.get("ph") or values.get("sampa") or "").strip()
     document.token = Token(
-        accent=(ACCENT_ANY if accent == ACCENT_UNKNOWN else accent) or None,
-        pos="".join(values.get("pos", "").split())[:LONGEST_LABEL],
+        accent=attributes.read("accent", labels.accent, "", labels.ACCENT_FORM) or None,
+        pos="".join(values.get("pos", "").split())[:LONGEST_POS],
         ipa=_pronounced(sounds, document.language or "en"),
         sounds_like=values.get("sounds_like", ""),
     )
@@ -161,14 +158,8 @@ def _pronounced(sounds: str, language: str) -> str:
 def _boundary(document: MaryDocument, attributes: Attributes) -> None:
     index = attributes.read("breakindex", quantities.break_index, 0, quantities.INDEX_FORM)
     pause = attributes.read("duration", quantities.length, 0.0, quantities.LENGTH_FORM)
-    tone = attributes.read("tone", _label, "", f"a ToBI label of at most {LONGEST_LABEL} letters, such as l-h%")
-    tone = "" if tone in {"none", "unknown"} else tone
+    tone = attributes.read("tone", labels.tone, "", labels.TONE_FORM)
     document.boundary(attributes.written, index or None, tone, pause or None)
-
-
-def _label(text: str) -> str | None:
-    """A ToBI label in small letters, or None."""
-    return text.lower() if len(text) <= LONGEST_LABEL and text.isprintable() and not _SPACES.search(text) else None
 
 
 def _mark(document: MaryDocument, attributes: Attributes) -> None:
