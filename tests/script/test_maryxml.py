@@ -8,6 +8,7 @@ from scorebreath.errors import ScriptError
 from scorebreath.formats import maryxml
 from scorebreath.score.acting import EMOTIONS
 from scorebreath.script.decode import decode
+from scorebreath.script.emotions import named, rows
 from scorebreath.script.marks import Act, EmotionMark, NamedMark, ProsodyMark, VoiceMark
 from scorebreath.script.markup.marked import Marked, is_maryxml, is_ssml, marked
 from scorebreath.script.markup.maryxml import labels
@@ -284,6 +285,19 @@ def test_every_emotion_can_be_told(name: str) -> None:
     assert (second.name, second.intensity) == (name, 0.4)
 
 
+@pytest.mark.parametrize("name", [word for row in rows().values() for word in (row.name, *row.words)])
+def test_emotions_go_by_all_their_names_and_have_an_intensity(name: str) -> None:
+    """As in SSML and in inline tags."""
+    told, also = (
+        [(mark.name, mark.intensity) for mark in found.marks if isinstance(mark, EmotionMark)]
+        for found in (
+            raw(f"One <emotion type='{name}' intensity='40%'/> two"),
+            marked(f"<speak>One <emotion type='{name}' intensity='0.4'/> two</speak>"),
+        )
+    )
+    assert told == also == [(named(name), 0.4)]
+
+
 def test_voices_of_others_are_places_and_ours_are_bodies() -> None:
     marks = raw("<voice name='bits1 hsmm'>One</voice> <voice name='espeak:de'>two</voice> <mark name='m'/> three").marks
     assert [mark.name for mark in marks if isinstance(mark, NamedMark)] == ["voice:bits1-hsmm", "m"]
@@ -347,6 +361,7 @@ def test_bytes_in_the_encoding_the_document_names(encoding: str) -> None:
         ("<maryxml><boundary>x</boundary></maryxml>", 1, 20, ("text inside <boundary>",)),
         ("<maryxml><prosody rate='quick'>x</prosody></maryxml>", 1, 25, ("rate='quick'", "+20%")),
         ("<maryxml><emotion type='hapy'/>x</maryxml>", 1, 25, ("type='hapy' of <emotion>", "happy")),
+        ("<maryxml><emotion type='sad' intensity='2'/>x</maryxml>", 1, 41, ("intensity='2'", "0 to 1")),
         ("<maryxml><t ph='a'/></maryxml>", 1, 10, ("its sounds alone", "word as it is written")),
         ("<maryxml><t>a<s>b</s></t></maryxml>", 1, 14, ("<s> inside the <t>",)),
         ("<maryxml><maryxml/></maryxml>", 1, 10, ("<maryxml> inside the <maryxml>",)),

@@ -51,7 +51,7 @@ ELEMENTS: Mapping[str, Element] = {
     "ph": Element(content="empty", idle=("p", "d", "end", "f0", "vq"), outside=("ph",)),
     "boundary": Element(content="empty", attributes=("breakindex", "tone", "duration"), outside=IN_WORDS),
     "mark": Element(content="empty", attributes=("name",), required=("name",), outside=IN_WORDS),
-    "emotion": Element(attributes=("type",), idle=("activation", "evaluation", "power"), outside=IN_WORDS),
+    "emotion": Element(attributes=("type", "intensity"), idle=("activation", "evaluation", "power"), outside=IN_WORDS),
     "vocalization": Element(
         content="ignored", attributes=("name",), idle=("voicequality", "intonation", "meaning", "variant"),
         outside=IN_WORDS,

@@ -6,14 +6,16 @@ import re
 from collections.abc import Callable, Mapping
 
 from scorebreath.equations.phones import ipa_of
-from scorebreath.errors import InputError, did_you_mean
+from scorebreath.errors import InputError
 from scorebreath.score.acting import EMOTIONS
+from scorebreath.script import emotions
 from scorebreath.script.marks import Act, ActName, EmotionMark, NamedMark, VoiceMark
 from scorebreath.script.markup.attributes import Attributes
 from scorebreath.script.markup.maryxml import labels, quantities
 from scorebreath.script.markup.maryxml.document import MaryDocument, Token
 from scorebreath.script.markup.meaning import Close, check_language, prosody_until_end
 from scorebreath.script.markup.names import is_name
+from scorebreath.script.markup.quantities import share
 from scorebreath.script.markup.values import Prosody
 
 VOCALIZATIONS: Mapping[str, ActName] = {
@@ -178,10 +180,10 @@ def _mark(document: MaryDocument, attributes: Attributes) -> None:
 def _emotion(document: MaryDocument, attributes: Attributes) -> None:
     if "type" not in attributes.values:
         return
-    name = attributes.values["type"].strip().lower()
-    if name not in EMOTIONS:
-        raise attributes.wrong("type", f"{', '.join(EMOTIONS)}{did_you_mean(name, EMOTIONS)}")
-    document.writer.mark(EmotionMark(at=0, written=attributes.written, name=name))
+    told = attributes.values["type"].strip()
+    name = attributes.read("type", emotions.named, "", emotions.expected(told))
+    intensity = attributes.read("intensity", share, 1.0, "a number from 0 to 1, or a percentage")
+    document.writer.mark(EmotionMark(at=0, written=attributes.written, name=name, intensity=intensity))
 
 
 def _vocalization(document: MaryDocument, attributes: Attributes) -> None:
