@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from scorebreath.errors import ScriptError
@@ -110,6 +112,9 @@ def error(text: str) -> ScriptError:
         ("<maryxml/>", True),
         ("<!-- c --><?xml-stylesheet x?>\n<maryxml>", True),
         ("<!DOCTYPE maryxml [<!ENTITY a 'b'>]><maryxml>", True),
+        ("<m:maryxml xmlns:m='http://mary.dfki.de/2002/MaryXML'>", True),
+        ("<?xml version='1.0'?>\n<my-m.1:maryxml>", True),
+        ("<3:maryxml>", False),
         ("<speak>about <maryxml></speak>", False),
         ("A text on <maryxml>", False),
         ("<maryxmls>", False),
@@ -127,6 +132,22 @@ def test_ssml_and_maryxml_are_told_apart() -> None:
     assert marked("<maryxml>Hi</maryxml>", markup="none").text == "<maryxml>Hi</maryxml>"
     with pytest.raises(ScriptError, match="no element is called <speak>"):
         marked("<speak>Hi</speak>", markup="maryxml")
+
+
+@pytest.mark.parametrize("text", [NEW, RAW.format("en", "<p>One two.<s><t>One</t><t>two</t><t>.</t></s></p>")])
+def test_a_prefixed_document_is_the_same(text: str) -> None:
+    prefixed = re.sub(r"<(/?)(?=[a-z])", r"<\1m:", text).replace("xmlns=", "xmlns:m=")
+    plain, found = marked(text), marked(prefixed)
+    assert "<m:maryxml" in prefixed
+    assert (found.text, found.ends, found.told, found.language) == (plain.text, plain.ends, plain.told, plain.language)
+    assert [type(mark) for mark in found.marks] == [type(mark) for mark in plain.marks]
+
+
+def test_prefixed_ssml_is_read() -> None:
+    namespace = "xmlns:ssml='http://www.w3.org/2001/10/synthesis'"
+    found = marked(f"<ssml:speak {namespace}>One <ssml:break time='1s'/> two</ssml:speak>")
+    assert found.text == "One two"
+    assert [mark.seconds for mark in found.marks if isinstance(mark, Act)] == [1.0]
 
 
 def test_the_tables_fit_each_other() -> None:
@@ -350,6 +371,8 @@ def test_bytes_in_the_encoding_the_document_names(encoding: str) -> None:
         ("<maryxml>a", 1, 1, ("<maryxml> is not closed",)),
         ("<maryxml>\n <t>a</s></maryxml>", 2, 6, ("</s> where <t> of line 2 is open",)),
         ("<maryxml><speak>a</speak></maryxml>", 1, 10, ("no element is called <speak>", "<speaker>")),
+        ("<m:maryxml>a</m:maryxml>", 1, 1, ("<m:maryxml> whose prefix is not declared", 'xmlns:m="..."')),
+        ("<maryxml><m:t>a</m:t></maryxml>", 1, 10, ("no element is called <m:t>",)),
         ("<maryxml><t acent='h*'>a</t></maryxml>", 1, 13, ("acent of <t> is unknown", "accent")),
         ("<maryxml><t accent='h* l*'>a</t></maryxml>", 1, 21, ("accent='h* l*' of <t>", "ToBI")),
         ("<maryxml><t accent='banana'>a</t></maryxml>", 1, 21, ("accent='banana' of <t>", "l+h*")),

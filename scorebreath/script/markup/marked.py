@@ -15,12 +15,14 @@ from scorebreath.script.told import Told
 Markup = Literal["auto", "tags", "ssml", "maryxml", "none"]
 """Which markup a text has; `auto`: MaryXML or SSML if it begins like that, else inline tags."""
 
-_XML = re.compile(r"\s*+<(?:speak[\s/>]|\?xml\s|!DOCTYPE\s)")
+_PREFIX = r"(?:[^\W\d][\w.-]*:)?"
+"""Of a namespace."""
+_XML = re.compile(rf"\s*+<(?:{_PREFIX}speak[\s/>]|\?xml\s|!DOCTYPE\s)")
 _COMMENT = re.compile(r"\s*+<!--")
 _BEFORE_ROOT = re.compile(
     r"\s*+(?:<\?.*?\?>|<!--.*?-->|<!DOCTYPE(?:[^>\[\"']|\"[^\"]*\"|'[^']*')*+(?:\[.*?\]\s*)?>)", re.DOTALL
 )
-_MARYXML = re.compile(r"\s*+<maryxml[\s/>]")
+_MARYXML = re.compile(rf"\s*+<{_PREFIX}maryxml[\s/>]")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -82,8 +84,8 @@ def marked(text: str, *, markup: Markup = "auto", language: str | None = None, f
 def is_ssml(text: str) -> bool:
     """Whether a text begins as an SSML document does: with `<speak`, perhaps behind comments, or as XML.
 
-    >>> is_ssml("<!-- mine --> <speak>Hi</speak>"), is_ssml("<3 you"), is_ssml("<speaker>")
-    (True, False, False)
+    >>> is_ssml("<!-- mine --> <speak>Hi</speak>"), is_ssml("<3 you"), is_ssml("<speaker>"), is_ssml("<s:speak>")
+    (True, False, False, True)
     """
     at = 0
     while match := _COMMENT.match(text, at):
@@ -95,14 +97,14 @@ def is_ssml(text: str) -> bool:
 
 
 def is_maryxml(text: str) -> bool:
-    """Whether a text is a MaryXML document: its outermost element is `<maryxml>`.
+    """Whether a text is a MaryXML document: its outermost element is `<maryxml>`, with a prefix or without.
 
     >>> is_maryxml("<?xml version='1.0'?><!DOCTYPE maryxml SYSTEM 'x.dtd'><maryxml>Hi</maryxml>")
     True
     >>> is_maryxml("<speak>Hi</speak>"), is_maryxml("<maryxmlish>")
     (False, False)
     """
-    if "<maryxml" not in text:
+    if "maryxml" not in text:
         return False
     at = 0
     while match := _BEFORE_ROOT.match(text, at):

@@ -1,4 +1,8 @@
-"""XML of one dialect or another, read by expat: no namespaces, no entities, nothing fetched."""
+"""XML of one dialect or another, read by expat: no entities, nothing fetched.
+
+Of namespaces only the root's prefix is known: a name with it is one of the dialect's. Where the root has none, no
+element may have one.
+"""
 
 from __future__ import annotations
 
@@ -77,6 +81,7 @@ class XmlReader(Generic[D]):
         self.document = document
         self._data = origin.text.encode(_ENCODING, "surrogatepass")
         self._stack: list[_Open] = []
+        self._prefix = ""
         self._parser = expat.ParserCreate(_ENCODING)
         self._parser.buffer_text = True
         self._parser.StartElementHandler = self._start
@@ -122,6 +127,9 @@ class XmlReader(Generic[D]):
         raise self._error(f"the entity &{shortened(name, 40)};", broken.ENTITIES)
 
     def _start(self, name: str, given: Mapping[str, str]) -> None:
+        if not self._stack:
+            self._prefix = self._own(name, given)
+        name = name.removeprefix(self._prefix)
         element = self._known(name)
         if len(self._stack) >= DEEPEST:
             raise self._error(f"{DEEPEST + 1} elements within each other", f"at most {DEEPEST}")
@@ -132,6 +140,16 @@ class XmlReader(Generic[D]):
         meaning = self._dialect.meanings.get(name)
         close = meaning(self.document, attributes) if meaning else None
         self._stack.append(_Open(name, element, self._parser.CurrentByteIndex, close))
+
+    def _own(self, name: str, given: Mapping[str, str]) -> str:
+        """The prefix of the root with its colon; empty where it has none, or is no root."""
+        prefix, colon, local = name.partition(":")
+        if not colon or local != self._dialect.root:
+            return ""
+        if not given.get(f"xmlns:{prefix}"):
+            shown = shortened(prefix, 40)
+            raise self._error(f"<{shown}:{local}> whose prefix is not declared", f'xmlns:{shown}="..." in it')
+        return f"{prefix}:"
 
     def _known(self, name: str) -> Element:
         """The row of an element that may stand here."""

@@ -40,7 +40,8 @@ class _Scan:
     found: set[int] = field(default_factory=set)
 
     def start(self, name: str, given: Mapping[str, str]) -> None:
-        """An element begins."""
+        """An element begins; a prefix says nothing here."""
+        name = name.rpartition(":")[2]
         self.stack.append(_Open(self.parser.CurrentByteIndex, len(self.tokens), self.length))
         if self.token or name == "t":
             self.token += 1
@@ -84,7 +85,7 @@ def doubled(text: str) -> frozenset[int]:
     >>> doubled("<p>One two.<s><t>One</t><t>two</t><t>.</t></s></p>"), doubled("<p>One <t>two</t></p>")
     (frozenset({0}), frozenset())
     """
-    if "<t" not in text or "<!ENTITY" in text:  # such a document is refused
+    if ("<t" not in text and ":t" not in text) or "<!ENTITY" in text:  # such a document is refused
         return frozenset()
     parser = expat.ParserCreate(_ENCODING)
     parser.buffer_text = True
