@@ -201,7 +201,7 @@ def _divided(
         sentence = sentences[last]
         quoted = not final and ending.tone == HIGH  # a question that ends, though the sentence around it goes on
         if quoted:
-            sentence = _Sentence("question", (_opening((), said),), sentence.stanza)
+            sentence = _Sentence("question", (_opening((), said[_quoted(said) or 0 :]),), sentence.stanza)
         if final or quoted:
             ending = ending._replace(tone=_tone(sentence, language))
         if place is not None and place.told is not None:
@@ -287,15 +287,22 @@ def _openings(own: Sequence[ScriptWord], begun: tuple[str, ...], *, ended: bool)
     starts = [0, *(place for place, word in enumerate(own[:-1], 1) if word.edge in EDGES)]
     last = own[-1]
     if ended and last.spoken.runs and last.spoken.runs[-1].source.end < last.source.end:
-        quoted = [place for place in starts if _opens(own[place])]
-        if quoted:
-            starts, begun = [place for place in starts if place >= quoted[-1]], ()
+        quoted = _quoted(own)
+        if quoted is not None:
+            starts, begun = [quoted, *(place for place in starts if place > quoted)], ()
     return tuple(_opening(begun if not number else (), own[start:]) for number, start in enumerate(starts))
 
 
-def _opens(word: ScriptWord) -> bool:
-    """Whether anything unspoken, such as a quotation mark, stands at a word's beginning."""
-    return bool(word.spoken.runs) and word.source.start < word.spoken.runs[0].source.start
+def _quoted(words: Sequence[ScriptWord]) -> int | None:
+    """The last word that something unspoken, such as a quotation mark, stands before; None: there is none."""
+    return next(
+        (
+            place
+            for place in range(len(words) - 1, -1, -1)
+            if words[place].spoken.runs and words[place].source.start < words[place].spoken.runs[0].source.start
+        ),
+        None,
+    )
 
 
 def _opening(begun: tuple[str, ...], words: Sequence[ScriptWord]) -> tuple[str, ...]:

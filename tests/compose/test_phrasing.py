@@ -86,11 +86,19 @@ def test_the_paper_s_own_example_has_its_boundaries() -> None:
         ('He asked: "When?"', LOW),
         ('Is he the one who asked, "What for?"', LOW),
         ('What he asked was, "Did you see her?"', HIGH),
+        ('He asked "When?"', LOW),
         ('You heard, "who came"?', HIGH),
+        ('What did you hear, "no"?', LOW),
+        ("Where would you (or he) go?", LOW),
     ],
 )
 def test_questions_end_high_but_those_for_a_word_do_not(question: str, tone: str) -> None:
     assert [p.tone for p in score(question).of(Phrase)][-1] == tone
+
+
+@pytest.mark.parametrize(("quoted", "tone"), [("Why?", LOW), ("Is it you?", HIGH)])
+def test_a_question_quoted_within_a_sentence_begins_with_its_quotation(quoted: str, tone: str) -> None:
+    assert [p.tone for p in score(f"He said “{quoted}” and left.").of(Phrase)] == [tone, LOW]
 
 
 @EVERY
