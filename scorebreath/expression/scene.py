@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby, pairwise
 
+from scorebreath.compose.phrasing import HIGH, LOW
 from scorebreath.expression.accents import Peak, Span, accents, peaks
 from scorebreath.expression.state import Placed
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Phone, Phrase, Utterance, Word
@@ -164,12 +165,18 @@ def _sounds(utterance: Utterance) -> list[Span]:
 class _Phrase(Span):
     position: str
     sentence_type: str
+    tone: str = ""
+
+    @property
+    def asked(self) -> bool:
+        """Whether a question ends with it: with its sentence, or where it is quoted and the sentence goes on."""
+        return self.sentence_type == "question" and (self.position == "final" or self.tone in (HIGH, LOW))
 
 
 def _phrases(events: Sequence[Event], utterances: Sequence[Utterance]) -> list[_Phrase]:
     """Phrases as placed; what is in none is one by itself."""
     found = [
-        _Phrase(onset=e.onset, end=e.end, position=e.position, sentence_type=e.sentence_type)
+        _Phrase(onset=e.onset, end=e.end, position=e.position, sentence_type=e.sentence_type, tone=e.tone)
         for e in events
         if isinstance(e, Phrase)
     ]
@@ -224,7 +231,7 @@ def _questions(
     found = []
     for phrase in asking:
         said = [_span(u, word, word.text) for word, u in words if phrase.onset <= u.onset + word.onset < phrase.end]
-        if phrase.position == "final" and said:
+        if phrase.asked and said:
             last = said[-1]
             until = next((sound.onset for sound in sounds if sound.onset >= last.end - 1e-6), None)
             found.append(Question(onset=last.onset, end=last.end, text=last.text, until=until))

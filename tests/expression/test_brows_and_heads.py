@@ -92,6 +92,14 @@ def test_the_last_word_of_a_question_raises_both_until_speech_goes_on() -> None:
             assert held == pytest.approx(min(until, seen.end + 2.0), abs=0.2) or held >= question.end
 
 
+def test_a_quoted_question_is_asked_too() -> None:
+    with open_voice("espeak", "en") as voice:
+        score = compile_text("'Are their heads off?' shouted the Queen.", voice=voice, media=MemoryStore())
+    for kind in (Brow, Head):
+        (raised,) = ruled(list(score.of(kind)), "question")
+        assert "'off'" in raised.rule
+
+
 @pytest.mark.parametrize(("model", "tail"), [("natural", 1.0), ("natural", 0.0), ("bernardet-2017", 0.0)])
 def test_at_the_end_of_all_a_question_is_let_go_in_time(model: str, tail: float) -> None:
     with open_voice("tone", "en") as voice:

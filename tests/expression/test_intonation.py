@@ -136,10 +136,12 @@ def test_turns_alternate_and_no_accented_syllable_has_two_maxima(
 ) -> None:
     said = utterance([word for word, _ in words], melody, [accent for _, accent in words])
     turns = extrema(said)
-    for before, after in pairwise(turns):
+    level = {number for number, turn in enumerate(turns) if turn.level}
+    for number, (before, after) in enumerate(pairwise(turns)):
         assert before.time < after.time and before.kind != after.kind
         low, high = (before, after) if before.kind == "minimum" else (after, before)
-        assert low.semitones <= high.semitones or high.level
+        if level.isdisjoint({number - 1, number, number + 1, number + 2}):  # halfway to a level accent, none is lowest
+            assert low.semitones <= high.semitones
     syllables = [turn.syllable for turn in maxima(turns) if turn.syllable]
     assert len(syllables) == len(set(syllables))
     for turn in turns:
