@@ -22,17 +22,67 @@ _MEASURED = (
 )
 """What is counted often enough to show that `<3` before it is "less than three"."""
 
+_LABELLED = (
+    *(
+        "a",
+        "and",
+        "answer",
+        "appendix",
+        "at",
+        "block",
+        "case",
+        "chapter",
+        "class",
+        "column",
+        "drive",
+        "exhibit",
+        "figure",
+    ),
+    *("flat", "from", "gate", "grade", "group", "hepatitis", "in", "item", "key", "letter", "level", "line", "major"),
+    *(
+        "minor",
+        "model",
+        "note",
+        "of",
+        "on",
+        "option",
+        "or",
+        "page",
+        "part",
+        "phase",
+        "plan",
+        "point",
+        "question",
+        "room",
+    ),
+    *("row", "section", "sharp", "step", "string", "table", "team", "the", "to", "type", "version", "vitamin", "zone"),
+    *("Abbildung", "Abschnitt", "am", "Anhang", "Antwort", "auf", "Buchstabe", "das", "der", "die", "Frage", "Gruppe"),
+    *("im", "Klasse", "Laufwerk", "mit", "oder", "Punkt", "Seite", "Stufe", "Tabelle", "Teil", "und", "von", "zu"),
+)
+"""Words behind which `D:` is a letter: `vitamin D: yes`."""
+
 _EMOJI = "[\u2639-\u263b\u2665\u2763\u2764\U0001f300-\U0001faff]"
+_OPENER = r"\"'“„‘«»(\["
+_BEGIN = rf"(?<![^\s{_OPENER}])(?<![^\s{_OPENER}][{_OPENER}])"
+"""Before it stand space or nothing, perhaps with opening quotes or brackets."""
+_CLOSED = r"(?![^\s.,!?;:…\"'”’»«“)\]])"
+"""Behind it stands no more than punctuation."""
+_LETTER = "".join(rf"(?<!\b(?i:{word})[ ])" for word in _LABELLED)
 _PATTERN = re.compile(
     rf"""
     >?[:;]-(?: [|<oO?/\\DPp*] | ([)(])\1{{0,4}} )         (?![^\W_])  # :-)   >:-<   :-o   :-))
     | (?<!\S) >?\ ?[:;]\ ?-\ ?[)(|<oO]                     (?![^\W_])  # : - )   :- )   > : - <
-    | (?<!\S) >?[:;=]'?-?(?: o\) | [|DPpoO] | ([)(])\2{{0,4}} ) (?![^\W_])  # :)   ;)   :D   >:(   :'-(
-    | (?<!\S) \(-?[:;=]                (?![^\s.,!?])  # (:   (-:
-    | (?<!\S) [xX]D{{1,4}}             (?![^\W_])  # XD
-    | (?<=[.!?…]\ ) D-?:               (?!\S)  # No! D:   but not "vitamin D: yes", nor at the beginning of a line
-    | (?<!\S) (?: ([oOTuUxX^.;*-])_{{1,3}}(?i:\3) | >_{{1,3}}< ) (?![^\s.,!?])  # o_O   -_-
-    | (?<!\S) (?: (?<!\d[ ]) | (?<=<3[ ]) | (?<=<33[ ]) )   # <3   </3   <3 <3, but 5 <3, x <3, in <3 days, <3 %
+    # :)   ;)   :D   >:(   :'-(   (:P)   :o), but (:o) is of two
+    | {_BEGIN} >?[:;=]'?-?(?: (?:(?<!\([:;=])|(?=o\)\))) o\) | [|DPpoO] | ([)(])\2{{0,4}} ) (?![^\W_])
+    | {_BEGIN} (?: \([:;=] (?!\)|'-?\() | \(-[:;=] | \)-?[:=] ) {_CLOSED}  # (:   (-:   ):   )-:
+    | {_BEGIN} [xX]D{{1,4}}             (?![^\W_])  # XD
+    | {_BEGIN} D-:                      {_CLOSED}
+    | (?: (?<=[\w.!?…;)\]"'”’»-]\ ) {_LETTER} (?<!\b\w[ ]) (?<!\d[ ]) | (?<=[^\W\d],\ ) (?<!\b\w,\ )
+      | (?<=[{_OPENER}]) {_BEGIN} (?=D:[\"'”’»«“)\]]) | (?<={_EMOJI}\ ) ) D:  {_CLOSED}
+      # late D:   No! D:   (D:)   but not "vitamin D: yes", "A, B, C, D: all", nor at the beginning of a line
+    | {_BEGIN} (?: ([oOTuUxX^.;*-])_{{1,3}}(?i:\3) | >_{{1,3}}< ) {_CLOSED}  # o_O   -_-
+    | (?: {_BEGIN} (?<!\s) (?<=.) (?= </ | <3{{1,4}}[.!?…]{{0,3}}[\"'”’»«“)\]] ) | (?<!\S) )
+      (?: (?<!\d[ ]) | (?<=<3[ ]) | (?<=<33[ ]) )   # <3   </3   <3 <3   (<3), but 5 <3, x <3, in <3 days, <3 %
       (?<!\b[a-hj-tv-z][ ]) (?: (?<![\w,][ ]) | (?<=\b[Ii][ ]) | (?! <3[ ](?i:{_MEASURED})\b) )
       </?3{{1,4}} (?! \w | [.,:]\d | [-–]\d | [ ]?[%‰°€$£+*/=] )
     | {_EMOJI}[\ufe0e\ufe0f\U0001f3fb-\U0001f3ff]*+ (?: \u200d[\u2190-\u2bff\U0001f300-\U0001faff]
@@ -41,14 +91,14 @@ _PATTERN = re.compile(
     re.VERBOSE,
 )
 _SIGN = re.compile(rf"[-:;=<_]|[xX]D|{_EMOJI}")
-_OPEN = re.compile(r"(?<!\S)(?:[oOTuUxX]_{0,3}|D-?)\Z")
+_OPEN = re.compile(rf"{_BEGIN}(?:[oOTuUxX]_{{0,3}}|D-?)\Z")
 _MARKED = re.compile(r"[.!?:;,…–—][\"'”’»«“)\]]{0,3}[ \n]{0,2}$")
 _IDLE = re.compile(r"(?P<space>[ ]{0,2})[.,;:…]{1,3}(?=[\s\"'”’»«“)\]]|\Z)")
 _APART = re.compile(r"[ \t]{1,3}|(?!\s)")
-_BEFORE = re.compile(r"(?:(?:\A|(?<=\s))[\"'“„‘(*_]*[\w'’-]*[.,!?;:…\"'”’)*_]*)$")
+_BEFORE = re.compile(r"(?:(?:\A|(?<=\s))[\"'“„‘«»(\[*_]*[\w'’-]*[.,!?;:…\"'”’)*_]*)$")
 """What may stand directly before an emoticon that means something: nothing, or a word with its marks."""
 _BEHIND = re.compile(r"[\s.,!?;:…)\]\"'”’»«*_~<>^-]|\Z")
-_OPENING = re.compile(r"(?:\A|\s)[\"'“„‘«»(\[]*\Z")
+_OPENING = re.compile(rf"(?:\A|\s)[{_OPENER}]*\Z")
 _CLOSING = re.compile(r"[.,!?;:…\"'”’»«)\]]|\Z")
 _TOKEN = re.compile(r"\S*$")
 _NEAR = 64

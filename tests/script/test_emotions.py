@@ -72,6 +72,47 @@ def test_every_sign_is_found_where_it_stands(sign: str, name: str, share: float)
         assert script.sentences[0].words[-1].after == (mark,)
 
 
+PLACES = (
+    *(
+        "SIGN It is late.",
+        "It is SIGN late.",
+        "It is late SIGN",
+        "It is late SIGN.",
+        "It is late SIGN, so",
+        "Late SIGN!",
+    ),
+    *("It is late. SIGN", "It is late. SIGN So be it.", "It is late, SIGN so be it.", "Late? SIGN. So be it."),
+    *('He said "so late SIGN" then.', "He said “so late SIGN”, then.", "„Spät SIGN“ so it is", "'So late SIGN' then"),
+    *(
+        "It is (SIGN) late.",
+        "It is late (SIGN).",
+        "It is (so late SIGN) now",
+        "(SIGN it is late)",
+        '"SIGN so late" then',
+    ),
+    *("It is late SIGN\nand on", "It is late SIGN\n\nSo on", "It is late\n\nSIGN\n\nSo on", "It is “SIGN” now"),
+)
+
+
+@pytest.mark.parametrize(
+    ("sign", "name"), [*((sign, name) for sign, name, _ in SIGNS), ("):", "sad"), (")-:", "sad"), ("(-:", "happy")]
+)
+def test_every_sign_is_found_at_every_place_and_never_spoken(sign: str, name: str) -> None:
+    for place in PLACES:
+        if sign == "D:" and re.search(r"(^|\n|[(\"]|, )SIGN[ \n]\w|^SIGN|\nSIGN", place):
+            continue  # a letter: what begins so is a part in a play or a point in a list
+        if sign == "<3" and re.search(r"[(\"]SIGN ", place):
+            continue  # a number: "(<3 days)"
+        if (sign == ":o" and "late SIGN)" in place) or (sign == ":o)" and "(SIGN " in place):
+            continue  # whose the bracket is, nobody can tell
+        text = place.replace("SIGN", sign)
+        script = read(text)
+        assert [mark.name for mark in marks(script)] == [name], text
+        words = [word.text for sentence in script.sentences for word in sentence.words]
+        bare = [word.text for sentence in read(place.replace("SIGN", "🌍")).sentences for word in sentence.words]
+        assert words == bare, text
+
+
 @pytest.mark.parametrize(("written", "name"), FIRST_LIST.items())
 def test_the_papers_list_spaced_and_compact(written: str, name: str) -> None:
     compact = written.replace(" ", "")
@@ -103,6 +144,13 @@ def test_variants(written: str, name: str) -> None:
             "C:\\Documents",
             "std::pair",
             "vitamin D: yes",
+            "I take Vitamin D: it helps",
+            "Save it to D: now",
+            "Take A, B, C, D: all",
+            "Either C or D: both",
+            "foo(:D) so",
+            "so (<3 days) long",
+            "(like this): next",
             "D: Well\nE: So",
             "XDR and :Px",
         ),
@@ -272,6 +320,10 @@ PIECES = (
         ": - (",
         ";)",
         "D:",
+        "D-:",
+        "):",
+        "(:P",
+        "late",
         "<3",
         "</3",
         "o_O",
