@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from scorebreath.compose.models import BreathingModel
 from scorebreath.compose.state import BodyState, Spoken
 from scorebreath.errors import InputError
+from scorebreath.expression.emotion import wordless
 from scorebreath.expression.express import express
 from scorebreath.expression.state import FaceState, Placed
 from scorebreath.media.recordings import Recordings
@@ -163,6 +164,11 @@ class Ensemble:
         main = self.performer("")
         main.go_on(self.breathing.rest(main.state, self.clock, "rest"))
         main.go_on(self.breathing.act(main.state, marks, "act"))
+        felt = [mark for mark in marks if isinstance(mark, EmotionMark)]
+        shown = wordless(felt, body=main.state.body, onset=main.state.time)
+        if shown:
+            main.go_on(self.breathing.rest(main.state, snap(max(event.end for event in shown)), "shown"))
+        main.events += shown if main.state.parameters.face_emotion else []
 
     def finish(self, tail: float) -> float:
         """Everybody comes back to rest, and stays there for so long; the time when all is over, s."""

@@ -42,6 +42,7 @@ _RULES = {
     "between": "A42: full at {written}, between two phrases",
     "before": "Y5: full at {written}, before the first phrase",
     "behind": "Y5: full at {written}, behind the last phrase",
+    "alone": "Y5: full at {written}, without words",
 }
 
 
@@ -85,6 +86,25 @@ def emotion_events(
         here = words[min(place, len(words) - 1)].group
         numbers[here] += 1
         events += _events(mark, span, bounds, body=body, group=here, number=numbers[here])
+    return events
+
+
+def wordless(marks: Sequence[EmotionMark], *, body: str, onset: float) -> list[Emotion | Blink]:
+    """Emotions of a text without a word, one after the other: each comes and goes within `DECAY`.
+
+    Args:
+        marks: In the text's order.
+        body: Whose face it is.
+        onset: s; when the first one begins.
+    """
+    events: list[Emotion | Blink] = []
+    for number, mark in enumerate(marks, 1):
+        bounds = _Bounds(onset, onset + 2.0 * DECAY)
+        span = _Span(
+            onset=snap(onset), apex=snap(onset + DECAY), end=snap(bounds.most), strength=1.0, kind="alone", phrases=()
+        )
+        events += _events(mark, span, bounds, body=body, group=None, number=number)
+        onset = bounds.most
     return events
 
 
@@ -221,15 +241,15 @@ def _eased(times: tuple[float, float, float], silence: _Bounds, kind: str, phras
 
 
 def _events(
-    mark: EmotionMark, span: _Span, bounds: _Bounds, *, body: str, group: str, number: int
+    mark: EmotionMark, span: _Span, bounds: _Bounds, *, body: str, group: str | None, number: int
 ) -> Iterator[Emotion | Blink]:
     """The emotion itself, and its wink."""
     duration, apex = snap(span.end - span.onset), snap(span.apex - span.onset)
     if duration <= 0.0:
         return
-    written = " ".join(mark.written.split())
+    written, home = " ".join(mark.written.split()), group or body
     yield Emotion(
-        id=f"{group}.emotion{number}", body=body, group=group, onset=span.onset, duration=duration, origin="markup",
+        id=f"{home}.emotion{number}", body=body, group=group, onset=span.onset, duration=duration, origin="markup",
         rule=_RULES[span.kind].format(written=written), name=mark.name, apex=min(duration, apex),
         intensity=snap(mark.intensity * span.strength), phrases=span.phrases,
     )  # fmt: skip
@@ -237,6 +257,6 @@ def _events(
     onset = max(bounds.least, min(span.apex - CLOSE, bounds.most - length))
     if mark.name in WINKS and onset + length <= bounds.most:
         yield Blink(
-            id=f"{group}.wink{number}", body=body, group=group, onset=snap(onset), duration=length, origin="markup",
+            id=f"{home}.wink{number}", body=body, group=group, onset=snap(onset), duration=length, origin="markup",
             rule=f"A40: winks at {written}", left=0.0, right=1.0, close=CLOSE, hold=HOLD, open=OPEN,
         )  # fmt: skip

@@ -91,7 +91,7 @@ _PATTERN = re.compile(
     re.VERBOSE,
 )
 _SIGN = re.compile(rf"[-:;=<_]|[xX]D|{_EMOJI}")
-_OPEN = re.compile(rf"{_BEGIN}(?:[oOTuUxX]_{{0,3}}|D-?)\Z")
+_OPEN = re.compile(rf"{_BEGIN}(?:[oOTuUxX]_{{0,3}}|D-?:?)\Z")
 _MARKED = re.compile(r"[.!?:;,…–—][\"'”’»«“)\]]{0,3}[ \n]{0,2}$")
 _IDLE = re.compile(r"(?P<space>[ ]{0,2})[.,;:…]{1,3}(?=[\s\"'”’»«“)\]]|\Z)")
 _APART = re.compile(r"[ \t]{1,3}|(?!\s)")

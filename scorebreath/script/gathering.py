@@ -59,3 +59,12 @@ class Gatherer:
                 )
             )
         return marks
+
+
+def alone(text: str) -> tuple[EmotionMark, ...]:
+    """The emotions of a text without a word.
+
+    >>> [(mark.name, mark.at) for mark in alone(":-) ... :-(")]
+    [('happy', 0), ('sad', 8)]
+    """
+    return tuple(Gatherer().take(text, Span(0, len(text)), 0, "", None))

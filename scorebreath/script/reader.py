@@ -20,7 +20,7 @@ from scorebreath.script import emoticons
 from scorebreath.script.boundaries import END, FORCED, candidate, certain, ends
 from scorebreath.script.decode import SURROGATE, universal_newlines
 from scorebreath.script.dialogue import turns as turns_of
-from scorebreath.script.gathering import Gatherer
+from scorebreath.script.gathering import Gatherer, alone
 from scorebreath.script.kinds import kinds as kinds_of
 from scorebreath.script.language import primary
 from scorebreath.script.marks import Mark
@@ -340,8 +340,10 @@ def read(
         language=language, poem=poem, turns=turns_of(text), ends=clean.ends, marks=clean.marks, told=clean.told
     )
     sentences = (*reader.feed(text), *reader.finish())
-    if not sentences and not clean.marks:
+    marks = [mark for sentence in sentences for mark in hanging(sentence)]
+    if not sentences:
+        marks = sorted([*clean.marks, *alone(text)], key=lambda mark: mark.at)
+    if not sentences and not marks:
         found = "only punctuation and symbols" if text.strip() else "an empty text"
         raise ScriptError(f"nothing to speak: {found}", expected="at least one word or number", file=file)
-    marks = tuple(mark for sentence in sentences for mark in hanging(sentence)) or clean.marks
-    return Script(text=text, language=language, poem=poem, sentences=sentences, marks=marks)
+    return Script(text=text, language=language, poem=poem, sentences=sentences, marks=tuple(marks))

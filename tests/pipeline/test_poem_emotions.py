@@ -347,3 +347,15 @@ def test_a_state_ends_for_the_voice_that_has_it(english: Voice) -> None:
     score = compile_text(text, voice=english, media=MemoryStore(), voices=lambda _: english)
     assert {state.body for state in score.of(State)} == {"body"}
     assert not _left_on(iter(score.of(State)))
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize(("text", "names"), [(":-)", ["happy"]), ("[sigh] ;-) :-(", ["kidding", "sad"])])
+def test_a_face_needs_no_words_to_feel(text: str, names: list[str], model: str) -> None:
+    with open_voice("tone", "en") as voice:
+        score = compile_text(text, voice=voice, media=MemoryStore(), model=model, tail=0.0)
+    felt = list(score.of(Emotion))
+    assert [event.name for event in felt] == names
+    assert all(event.apex == 0.5 and event.duration == 1.0 for event in felt)
+    assert max(event.end for event in felt) <= score.duration
+    assert [event.right for event in score.of(Blink) if event.left == 0.0] == [1.0] * ("kidding" in names)

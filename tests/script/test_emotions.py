@@ -345,6 +345,8 @@ def fed(pieces: Sequence[str]) -> list[Sentence]:
 @given(TEXTS, st.lists(st.integers(0, 200), max_size=8))
 @example("Hi. 😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀Hello", [])
 @example("Wait. <3 days", [7])
+@example(": - (D:“", [])
+@example("Well D:x Well D: x", [])
 @settings(max_examples=400, deadline=None)
 def test_any_cutting_gives_the_same_marks(text: str, cuts: list[int]) -> None:
     places = sorted(min(cut, len(text)) for cut in cuts)

@@ -12,14 +12,18 @@ from scorebreath.script.reader import Reader, read
 from scorebreath.script.words import LONGEST
 
 
-@pytest.mark.parametrize(
-    "text", ["", " \n\t ", "...", "?! -- (…)", "_ _", "\ufeff", "😀 🎉", "* * *", ":-) :-o", "\x00\x07"]
-)
+@pytest.mark.parametrize("text", ["", " \n\t ", "...", "?! -- (…)", "_ _", "\ufeff", "🎉 🚲", "* * *", "\x00\x07"])
 def test_nothing_to_speak(text: str) -> None:
     with pytest.raises(ScriptError, match="nothing to speak") as caught:
         read(text, file="a.txt")
     assert caught.value.file == "a.txt"
     assert Reader().feed(text) == Reader().finish() == []
+
+
+def test_emotions_alone_are_something_to_show() -> None:
+    script = read(":-) :-o [sigh] 😀")
+    assert script.sentences == ()
+    assert [mark.written for mark in script.marks] == [":-)", ":-o", "[sigh]", "😀"]
 
 
 def test_half_a_surrogate_pair_is_no_text() -> None:

@@ -81,6 +81,9 @@ def test_sentences_and_gaps_make_the_text(text: str, language: str, poem: bool) 
     script = try_read(text, language, poem)
     if script is None:
         return
+    assert script.sentences or script.marks
+    if not script.sentences:
+        return
     assert "".join(s.text + s.gap for s in script.sentences) == script.text[script.sentences[0].source.start :]
     assert script.sentences[-1].words[-1].edge == "paragraph"
     stanzas = [sentence.stanza for sentence in script.sentences]
