@@ -92,11 +92,21 @@ def read_rig(name: str, text: str) -> Rig:
     known = {*(channel.name for channel in CHANNELS), *DRIVERS, *(prototypes.names if prototypes else ())}
     columns = _rows(name, document, "columns")
     order = document.get("order", list(columns))
+    if not isinstance(order, list):
+        raise InputError(f"rig {name}: order = {order!r}; expected a list of columns")
     _known(name, "order", order, columns)
+    for each in order:
+        if order.count(each) > 1 or each == "time" or not each.isprintable() or set(each) & set(',"'):
+            raise InputError(
+                f"rig {name}: column {each!r}: expected each name once, without commas or quotes, not 'time'"
+            )
     names = document.get("names", "")
     table = tuple(_renamed(name, names, _column(name, each, document, known)) for each in order)
     if not table:
         raise InputError(f"rig {name}: [columns] is empty; expected at least one")
+    for column in table:
+        if column.shuts not in ("", HIGH, *(each.name for each in table)):
+            raise InputError(f"rig {name}: {column.name} closes {column.shuts}, which order leaves out; expected both")
     return Rig(
         name=name, about=str(document.get("about", "")), signs=str(document.get("signs", "")), table=table,
         prototypes=prototypes,
@@ -133,10 +143,8 @@ def _column(rig: str, name: str, document: Table, known: Collection[str]) -> Col
     if row["negative"] not in get_args(Negative):
         raise InputError(f"rig {rig}: {name}: negative = {row['negative']!r}; expected {', '.join(get_args(Negative))}")
     scale = _number(rig, f"units {row['unit']}", document.get("units", {}).get(row["unit"], 1.0))
-    parts = row.get("from", {})
-    _known(
-        rig, f"{name}: from", parts if not isinstance(parts, dict) else [n for p in parts for n in factors(p)], known
-    )
+    parts = _rows(rig, row, "from")
+    _known(rig, f"{name}: from", [each for part in parts for each in factors(part)], known)
     if any(len(factors(part)) > 2 for part in parts):
         raise InputError(f"rig {rig}: {name}: from: expected products of two at most")
     emotions = {
@@ -203,15 +211,26 @@ def _pascal(name: str) -> str:
 def _prototypes(rig: str, table: Any) -> Prototypes | None:
     if table is None:
         return None
-    channels = table.get("channels", [])
+    if not isinstance(table, dict):
+        raise InputError(f"rig {rig}: prototypes = {table!r}; expected a table")
+    channels = _list(rig, "channels", table.get("channels", []))
     _known(rig, "prototypes: channels", channels, {*(channel.name for channel in CHANNELS), *DRIVERS})
-    rows = {name: [_number(rig, f"prototypes: {name}", n) for n in row] for name, row in table["points"].items()}
-    widths = [_number(rig, "prototypes: widths", width) for width in table.get("widths", [])]
+    points = _rows(rig, table, "points")
+    rows = {
+        name: [_number(rig, f"prototypes: {name}", n) for n in _list(rig, name, row)] for name, row in points.items()
+    }
+    widths = [_number(rig, "prototypes: widths", width) for width in _list(rig, "widths", table.get("widths", []))]
     if {len(widths), *(len(row) for row in rows.values())} != {len(channels)} or min(widths, default=0.0) <= 0:
         raise InputError(f"rig {rig}: prototypes: expected {len(channels)} numbers a row, and widths above 0")
     return Prototypes(
         names=tuple(rows), channels=tuple(channels), points=np.array(list(rows.values())), widths=np.array(widths)
     )
+
+
+def _list(rig: str, what: str, value: Any) -> list[Any]:
+    if not isinstance(value, list):
+        raise InputError(f"rig {rig}: prototypes: {what} = {value!r}; expected a list")
+    return value
 
 
 def _rows(rig: str, document: Mapping[str, Any], section: str) -> Table:

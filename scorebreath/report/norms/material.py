@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scorebreath.curves.curve_set import CurveSet
+from scorebreath.curves.tracks import TOUCH
 from scorebreath.report.norms.figures import Array, Circumstances
 from scorebreath.report.norms.laws import Laws, laws
 from scorebreath.report.norms.listening import Heard
@@ -132,7 +133,7 @@ class Material:
         length = speech.onset[1:] - speech.end[:-1]
         inside = np.ones(length.shape, dtype=np.bool_)
         inside[self.first[1:] - 1] = False
-        found = np.flatnonzero(inside & (length >= SHORTEST_PAUSE))
+        found = np.flatnonzero(inside & (length >= SHORTEST_PAUSE - TOUCH))  # the same wherever it stands
         return speech.end[found], length[found], np.searchsorted(self.first, found, side="right") - 1
 
     @cached_property
