@@ -47,15 +47,21 @@ class CurveSet:
         Raises:
             InputError: A name is no channel, or a time is not a finite number.
         """
-        at = np.atleast_1d(np.asarray(times, dtype=np.float64))
-        if at.ndim != 1 or not np.all(np.isfinite(at)):
-            raise InputError("times must be finite numbers in one dimension")
-        moments = Moments(self.sources, np.ascontiguousarray(at), closure_gate=self.closure_gate)
+        at = _moments(times)
+        moments = Moments(self.sources, at, closure_gate=self.closure_gate)
         wanted = self.table if names is None else tuple(self.channel(name) for name in names)
         values = np.empty((len(at), len(wanted)))
         for column, channel in enumerate(wanted):
             values[:, column] = channel.at(moments)
         return values
+
+    def contact(self, times: ArrayLike) -> Array:
+        """Where p, b and m must hold the lips shut, with the closure gate or without: 1 there, ramps beside; (n,).
+
+        Raises:
+            InputError: A time is not a finite number.
+        """
+        return self.sources.lips.closures.sample(_moments(times))
 
     def channel(self, name: str) -> Channel:
         """The table's row of that name.
@@ -67,6 +73,13 @@ class CurveSet:
             if channel.name == name:
                 return channel
         raise InputError(f"no channel is called {name!r}; expected one of {', '.join(self.channels)}")
+
+
+def _moments(times: ArrayLike) -> Array:
+    at = np.atleast_1d(np.asarray(times, dtype=np.float64))
+    if at.ndim != 1 or not np.all(np.isfinite(at)):
+        raise InputError("times must be finite numbers in one dimension")
+    return np.ascontiguousarray(at)
 
 
 def curves(score: Score, body: str | None = None, *, closure_gate: bool = True) -> CurveSet:

@@ -150,7 +150,5 @@ def format_named(name: str) -> Format:
         InputError: There is none.
     """
     if name not in FORMATS:
-        raise InputError(
-            f"no format is called {name!r}{did_you_mean(name, FORMATS)}; expected one of {', '.join(FORMATS)}"
-        )
+        raise InputError(f"no format is called {name!r} (there are {', '.join(FORMATS)}){did_you_mean(name, FORMATS)}")
     return FORMATS[name]

@@ -67,9 +67,9 @@ def test_a_rig_of_one_s_own(score: Path, tmp_path: Path) -> None:
     mine = tmp_path / "mine.toml"
     mine.write_text('like = "arkit"\norder = ["jawOpen", "thorax"]\n')
     assert run("curves", score, "--rig", mine).stdout.startswith("time,jawOpen,thorax\n")
-    assert [row["name"] for row in events(run("curves", "--describe", "--rig", mine, "--json").stdout)] == [
-        "jawOpen", "thorax",
-    ]  # fmt: skip
+    rows = events(run("curves", "--describe", "--rig", mine, "--json").stdout)
+    assert [row["name"] for row in rows if row["event"] == "column"] == ["jawOpen", "thorax"]
+    assert [row["driver"] for row in rows if row["event"] == "driver"] == ["mouth"]
     mine.write_text("[columns]\na = { from = { jaw = 1 } }")
     wrong = run("curves", score, "--rig", mine)
     assert (wrong.exit_code, wrong.stdout) == (2, "")
@@ -79,7 +79,10 @@ def test_a_rig_of_one_s_own(score: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (["--rig", "arkti"], "no rig is called 'arkti'; did you mean arkit?; expected one of arkit, livelink"),
+        (["--rig", "arkti"], "no rig is called 'arkti' (there are arkit, livelink, "),
+        (["--rig", "arkit", "--rig", "fap"], "--rig arkit --rig fap: one file holds one rig; `render` writes several"),
+        (["-o", "face.xlsx"], "face.xlsx: expected a name that ends with .csv or .json, or --format with any name"),
+        (["--describe", "-o", "face.csv"], "-o face.csv: --describe prints, and writes no file"),
         (["--rig", "none.toml"], "the rig 'none.toml' cannot be read: "),
         (["--rig", "arkit", "--format", "fap"], "--format fap of --rig arkit: must be csv or json"),
         (["--rig", "fap", "--format", "xml"], "--format xml of --rig fap: must be csv or json or fap"),
@@ -104,11 +107,16 @@ def test_what_does_not_fit_is_told_in_one_line(
 
 @pytest.mark.parametrize("name", RIGS)
 def test_describe_tells_what_a_rig_s_columns_are_made_of(name: str) -> None:
-    rows = events(run("curves", "--describe", "--rig", name, "--json").stdout)
+    found = events(run("curves", "--describe", "--rig", name, "--json").stdout)
+    rows = [row for row in found if row["event"] == "column"]
     assert [row["name"] for row in rows] == list(rig_named(name).columns)
     assert all(row["made_of"] and row["low"] < row["high"] for row in rows)
+    drivers = [row for row in found if row["event"] == "driver"]
+    assert drivers and all(row["meaning"] for row in drivers)
+    words = " ".join(row["made_of"] for row in rows).replace(";", "").replace(":", "").split()
+    assert all(row["driver"] in words for row in drivers)
     told = run("curves", "--describe", "--rig", name).stdout.splitlines()
-    assert told[0].split() == ["name", "unit", "low", "high", "made", "of"] and len(told) == len(rows) + 1
+    assert told[0].split() == ["name", "unit", "low", "high", "made", "of"] and len(told) == len(found) + 2
 
 
 def test_rigs_lists_them() -> None:

@@ -54,7 +54,8 @@ def test_maryxml_from_a_score_is_a_script_again(score: Path, tmp_path: Path) -> 
 def test_what_export_refuses(score: Path, tmp_path: Path) -> None:
     wrong = run("export", score, "--to", "maryxm")
     assert (wrong.exit_code, wrong.stdout) == (2, "")
-    assert "no format is called 'maryxm'; did you mean maryxml" in wrong.stderr
+    assert wrong.stderr.startswith("scorebreath: no format is called 'maryxm' (there are curves.csv, ")
+    assert wrong.stderr.endswith("; did you mean maryxml?\n")
     script = tmp_path / "a.txt"
     script.write_text(TEXT, encoding="utf-8")
     assert "is not a score" in run("export", script, "--to", "maryxml").stderr

@@ -11,7 +11,7 @@ from scorebreath.score.acting import EMOTIONS
 from scorebreath.score.document import Score
 from scorebreath.score.events import Event
 from tests.curves.acts import breathe_in
-from tests.curves.faces import emotion, only, said_in, shown
+from tests.curves.faces import blink, emotion, only, said_in, shown
 
 KHRONOS = ["sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou"]
 
@@ -71,9 +71,32 @@ def test_outside_closures_the_sum_is_exact(name: str) -> None:
     gated, plain = curves(score), curves(score, closure_gate=False)
     channels = ["lip_close", "jaw_open", "lip_round", "lip_spread", "lip_tuck", "tongue_tip", "tongue_back"]
     same = np.all(gated.sample(times, channels) == plain.sample(times, channels), axis=1)
-    same &= gated.sample(times, ["lip_close"])[:, 0] <= 0.5
+    same &= gated.contact(times) == 0.0
     assert same.sum() > 400 and not same.all()
     assert np.array_equal(rig.sample(gated, times)[same], rig.sample(plain, times)[same])
+
+
+def test_shapes_give_way_to_a_closure_no_faster_than_lips_shut() -> None:
+    """A funnel beside p, b or m fades over the whole ramp, and a smile stays one."""
+    score = only(said_in(2.4, "ɔ", "b", "ɔ", "p", "ɔ", "m", "ɔ", "a"), emotion("happy", 0.0, duration=2.6, apex=1.3))
+    times = np.arange(0, 2.6, 1 / 1000)
+    found = rig_named("arkit").sample(curves(score), times, ["mouthFunnel", "mouthPressLeft", "mouthUpperUpLeft"])
+    assert found[:, 0].max() > 0.3
+    assert np.all(np.abs(np.diff(found, axis=0)).max(axis=0) * 1000 < [25 * 0.66, 25 * 0.36, 25 * 0.3])
+    contact = curves(score).contact(times)
+    shut = contact == 1.0
+    smile = rig_named("arkit").sample(curves(score), times, ["mouthSmileLeft"])[:, 0]
+    without = rig_named("arkit").sample(curves(score, closure_gate=False), times, ["mouthSmileLeft"])[:, 0]
+    assert shut.sum() > 150 and np.all(smile[shut] >= 0.84 * without[shut])
+
+
+def test_nothing_yields_in_the_plain_sum() -> None:
+    """A43: a lid that shuts takes the wide eyes of surprise away, but not from the paper's sum."""
+    score = only(blink(1.0), emotion("surprised", 0.0, duration=2.6, apex=1.3))
+    at = curves(score).sample(times := np.arange(1.0, 1.3, 0.01), ["lid_left"])[:, 0].argmax()
+    rig, lid = rig_named("muscles"), ["levator_palpebrae_left"]
+    assert rig.sample(curves(score), [times[at]], lid)[0, 0] < 0.1
+    assert rig.sample(curves(score, closure_gate=False), [times[at]], lid)[0, 0] > 0.5
 
 
 def test_a_breath_opens_the_mouth_of_every_rig() -> None:

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from scorebreath.curves.rigs.table import RIGS
+from scorebreath.curves.rigs.drivers import CONTACT, DRIVERS
+from scorebreath.curves.rigs.table import RIGS, read_rig
 from scorebreath.expression.rules import RULES
 from scorebreath.parameters.columns import read_table
 from scorebreath.parameters.table import Parameters
@@ -37,6 +38,20 @@ def test_nothing_else_is_told() -> None:
     assert len(re.findall(r"^\| [a-z]", rules, re.MULTILINE)) == len(RULES) + 1
 
 
+@pytest.mark.parametrize("name", DRIVERS)
+def test_every_driver_is_told(name: str) -> None:
+    driver = DRIVERS[name]
+    of = ", ".join(f"`{channel}`" for channel in driver.channels if channel != CONTACT)
+    assert f"| `{name}` | {of} | {driver.meaning} |\n" in PAGE
+
+
+def test_the_rig_on_the_page_is_one() -> None:
+    text = PAGE[PAGE.index("```toml\n") :].removeprefix("```toml\n").partition("```")[0]
+    rig = read_rig("puppet", text)
+    assert rig.columns == ("jawOpen", "mouthClose", "lids", "mood", "headYaw")
+    assert rig.column("lids").yields == "shut_left" and rig.column("mood").gate == 0.2
+
+
 def test_every_rig_is_told() -> None:
-    rigs = PAGE[PAGE.index("## Curves and rigs") :]
+    rigs = PAGE[PAGE.index("## Curves and rigs") : PAGE.index("## A rig of your own")]
     assert re.findall(r"^\| `(\w+)` \|", rigs, re.MULTILINE) == list(RIGS)

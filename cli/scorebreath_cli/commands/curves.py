@@ -29,7 +29,7 @@ def curves(
     ] = "-",
     fps: o.Fps = "60",
     rig: Annotated[
-        str | None,
+        list[str] | None,
         typer.Option(
             "--rig", metavar="NAME|FILE",
             help="As a character's own shapes: one of `scorebreath rigs`, or a .toml file; all channels by default.",
@@ -65,12 +65,17 @@ def curves(
         from scorebreath.errors import InputError
         from scorebreath_cli.exporting import write_as
 
+        if len(rig or ()) > 1:
+            raise InputError(f"--rig {' --rig '.join(rig or ())}: one file holds one rig; `render` writes several")
+        chosen = rig[0] if rig else None
         if describe:
-            _describe(printer, rig)
+            if output != "-":
+                raise InputError(f"-o {output}: --describe prints, and writes no file; expected no -o")
+            _describe(printer, chosen)
             return
         if score is None:
             raise InputError("SCORE is missing: expected a score, the folder of a take, or - for stdin")
-        form, choice = _chosen(rig, kind, output, fps=fps, keys=keys, gate=closure_gate, degrees=degrees, body=body)
+        form, choice = _chosen(chosen, kind, output, fps=fps, keys=keys, gate=closure_gate, degrees=degrees, body=body)
         write_as(printer, score, output, form, choice, force=force, json_lines=json_lines)
 
 
@@ -83,8 +88,12 @@ def _describe(printer: Printer, rig: str | None) -> None:
         return
     from scorebreath.curves.rigs.table import rig_named
 
-    found = [{name: getattr(column, name) for name in RIG_COLUMNS} for column in rig_named(rig).table]
-    printer.table("column", found, RIG_COLUMNS)
+    found = rig_named(rig)
+    columns = [{name: getattr(column, name) for name in RIG_COLUMNS} for column in found.table]
+    printer.table("column", columns, RIG_COLUMNS)
+    drivers = [{"driver": name, "meaning": meaning} for name, meaning in found.drivers().items()]
+    if drivers:
+        printer.table("driver", drivers, ("driver", "meaning"))
 
 
 def _chosen(
@@ -109,7 +118,9 @@ def _chosen(
     suffix = Path(output).suffix.lower().removeprefix(".")
     if suffix == "fap" and kind is None and suffix not in kinds:
         raise InputError(f"{output}: a .fap file holds --rig fap")
-    wanted = kind or (suffix if suffix in kinds else "csv")
+    if suffix and kind is None and suffix not in kinds:
+        raise InputError(f"{output}: expected a name that ends with .{' or .'.join(kinds)}, or --format with any name")
+    wanted = kind or suffix or "csv"
     if wanted not in kinds:
         of = f" of --rig {rig}" if rig is not None else ""
         raise InputError(f"--format {wanted}{of}: must be {' or '.join(kinds)}")

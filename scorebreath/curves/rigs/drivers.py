@@ -10,8 +10,8 @@ import numpy as np
 
 from scorebreath.curves.tracks import Array
 
-CLOSING = 0.5
-"""Value of lip_close from which on lips are about to shut: outside of that the closure gate changes nothing."""
+CONTACT = "contact"
+"""1 while p, b or m must hold the lips shut, ramps of 62 ms beside, 0 elsewhere: `CurveSet.contact`, no channel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +19,7 @@ class Driver:
     """A function of channels."""
 
     channels: tuple[str, ...]
-    """what it is given, in this order"""
+    """what it is given, in this order; or CONTACT"""
     of: Callable[..., Array]
     """(n,) each in, (n,) out"""
     meaning: str
@@ -33,10 +33,6 @@ BETWEEN = 0.88
 
 def _out(tip: Array) -> Array:
     return np.clip((tip - BETWEEN) / (1.0 - BETWEEN), 0.0, 1.0)
-
-
-def _closing(close: Array) -> Array:
-    return np.clip((close - CLOSING) / (1.0 - CLOSING), 0.0, 1.0)
 
 
 DRIVERS: Mapping[str, Driver] = MappingProxyType(
@@ -58,7 +54,9 @@ DRIVERS: Mapping[str, Driver] = MappingProxyType(
             ("jaw_open", "mouth_open", "lip_close"), lambda jaw, breath, close: np.maximum(jaw, breath) * close,
             "what of that opening the lips cover",
         ),
-        "closing": Driver(("lip_close",), _closing, "how far the lips are shut for p, b, m"),
+        "closing": Driver(
+            (CONTACT, "lip_close"), np.minimum, "how far the lips are shut for p, b, m: 0 but for them and 62 ms beside"
+        ),
         "unrounded": Driver(
             ("jaw_open", "lip_round"), lambda jaw, rounded: jaw * (1.0 - rounded), "jaw open behind spread lips (aa)"
         ),
@@ -66,7 +64,7 @@ DRIVERS: Mapping[str, Driver] = MappingProxyType(
         "shut_left": Driver(("lid_left",), lambda lid: np.maximum(lid, 0.0), "how far the left eye is shut"),
         "shut_right": Driver(("lid_right",), lambda lid: np.maximum(lid, 0.0), "how far the right eye is shut"),
         **{
-            f"{channel}.{way}": Driver((channel,), of, f"{channel}, {way}")
+            f"{channel}.{way}": Driver((channel,), of, f"degrees that the eyes look {way} in the head")
             for channel, ways in (
                 ("eye_pitch", ("up", "down")), ("eye_yaw", ("left", "right")),
             )

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from scorebreath.curves.curve_set import CurveSet
-from scorebreath.curves.rigs.drivers import DRIVERS
+from scorebreath.curves.rigs.drivers import CONTACT, DRIVERS
 from scorebreath.curves.rigs.prototypes import Prototypes
 from scorebreath.curves.tracks import Array
 from scorebreath.errors import InputError
@@ -49,11 +49,12 @@ class Column:
 
     @property
     def made_of(self) -> str:
-        """The row in words: factors of channels, then of emotions."""
-        parts = [f"{gain:g} {name}" for name, gain in self.parts.items()]
-        felt = [f"{gain:g} {name}" for name, gain in self.emotions.items()]
-        said = {"clip": "", "offset": ", halved around 0.5", "allow": ""}[self.negative] if parts else ""
-        return ("; ".join([" + ".join(parts) + said, " + ".join(felt)]) if felt else " + ".join(parts) + said) or "0"
+        """The row in words: factors of channels, then of emotions, then what shuts or covers it."""
+        parts = _added(self.parts) + (", halved around 0.5" if self.negative == "offset" and self.parts else "")
+        felt = _added(self.emotions) + (f", less as {self.yields}" if self.yields and self.emotions else "")
+        gate = f"{GATE} takes {self.gate:g}" if self.gate else ""
+        shuts = f"{GATE}: {f'{self.high:g}' if self.shuts == HIGH else self.shuts}" if self.shuts else ""
+        return "; ".join(filter(None, (parts, felt, gate, shuts))) or "0"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,7 +79,7 @@ class Rig:
 
         Channels times factors are summed, `negative` is applied, emotions are added, the sum is held within the
         column's range; the closure gate comes last, so no emotion opens p, b or m (design: Mixing). Where the
-        `curve_set` has no closure gate the sum stays plain, as in S3 (A18, A43).
+        `curve_set` has no closure gate the sum stays plain, as in S3 (A18, A43): nothing is taken from it, nor yields.
 
         Args:
             curve_set: Whose curves.
@@ -95,7 +96,7 @@ class Rig:
         sources = self._sources(wanted, curve_set, times)
         out = np.empty((len(wanted), len(sources[GATE])))
         for number, column in enumerate(wanted):
-            out[number] = _sum(column, sources)
+            out[number] = _sum(column, sources, plain=not curve_set.closure_gate)
             if not curve_set.closure_gate:
                 continue
             if column.gate:
@@ -116,6 +117,15 @@ class Rig:
                 return column
         raise InputError(f"rig {self.name} has no column {name!r}; expected one of {', '.join(self.columns)}")
 
+    def drivers(self) -> dict[str, str]:
+        """What the columns are made from besides channels: name -> meaning."""
+        used = {factor for column in self.table for part in column.parts for factor in factors(part)}
+        used |= {column.yields for column in self.table}
+        used |= {GATE for column in self.table if column.gate or column.shuts}
+        shares = self.prototypes.names if self.prototypes is not None else ()
+        near = "how near jaw, lips and tongue are to this prototype; all add up to 1"
+        return {name: each.meaning for name, each in DRIVERS.items() if name in used} | dict.fromkeys(shares, near)
+
     def _sources(self, table: Sequence[Column], curve_set: CurveSet, times: ArrayLike) -> dict[str, Array]:
         """Every channel, driver and prototype that some columns need, (n,) each."""
         table = (*table, *(self.column(column.shuts) for column in table if column.shuts not in ("", HIGH)))
@@ -127,8 +137,10 @@ class Rig:
         if shares is not None:
             wanted = (wanted - set(shares.names)) | set(shares.channels)
         drivers = [name for name in sorted(wanted) if name in DRIVERS]
-        channels = sorted((wanted - set(drivers)) | {need for name in drivers for need in DRIVERS[name].channels})
+        needed = (wanted - set(drivers)) | {need for name in drivers for need in DRIVERS[name].channels}
+        channels = sorted(needed - {CONTACT})
         found = dict(zip(channels, np.ascontiguousarray(curve_set.sample(times, channels).T), strict=True))
+        found[CONTACT] = curve_set.contact(times)
         for name in drivers:
             found[name] = DRIVERS[name].of(*(found[need] for need in DRIVERS[name].channels))
         if shares is not None:
@@ -150,8 +162,18 @@ def factors(part: str) -> tuple[str, ...]:
     return tuple(part.split(TIMES))
 
 
-def _sum(column: Column, sources: Mapping[str, Array]) -> Array:
-    """One column without the closure gate, (n,).
+def _added(factors: Mapping[str, float]) -> str:
+    """A sum in words.
+
+    >>> _added({"lip_round": 1.0, "jaw_open": -1.6})
+    '1 lip_round - 1.6 jaw_open'
+    """
+    said = "".join(f" {'-' if gain < 0 else '+'} {abs(gain):g} {name}" for name, gain in factors.items())
+    return said.removeprefix(" + ") if not said.startswith(" - ") else f"-{said.removeprefix(' - ')}"
+
+
+def _sum(column: Column, sources: Mapping[str, Array], *, plain: bool = False) -> Array:
+    """One column without the closure gate, (n,); `plain`: no emotion yields.
 
     A sum in the table's order, not a matrix product: that differs in the last bit with the number of moments.
     """
@@ -162,7 +184,7 @@ def _sum(column: Column, sources: Mapping[str, Array]) -> Array:
         value = np.maximum(value, 0.0)
     elif column.negative == "offset":
         value = 0.5 + 0.5 * value
-    left = 1.0 - sources[column.yields] if column.yields else 1.0
+    left = 1.0 - sources[column.yields] if column.yields and not plain else 1.0
     for name, gain in column.emotions.items():
         value += gain * sources[f"emotion_{name}"] * left
     return np.clip(value, column.low, column.high)

@@ -59,7 +59,7 @@ def rig_named(name: str) -> Rig:
         return _ours(name)
     if not name.endswith(".toml"):
         raise InputError(
-            f"no rig is called {name!r}{did_you_mean(name, RIGS)}; expected one of {', '.join(RIGS)}, or a .toml file"
+            f"no rig is called {name!r} (there are {', '.join(RIGS)}, and .toml files){did_you_mean(name, RIGS)}"
         )
     try:
         text = Path(name).read_text(encoding="utf-8")
