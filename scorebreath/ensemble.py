@@ -15,7 +15,7 @@ from scorebreath.media.recordings import Recordings
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup
 from scorebreath.score.document import Body, VoiceInfo
-from scorebreath.score.events import Event, Pause
+from scorebreath.score.events import Blink, Event, Pause
 from scorebreath.script.emotional import changed, rest
 from scorebreath.script.marks import EmotionMark, Mark, StateMark
 from scorebreath.speech.model import Voice
@@ -49,6 +49,11 @@ class Performer:
         *others, last = self.face.waiting
         self.face = replace(self.face, waiting=(*others, replace(last, marks=(*last.marks, *marks))))
         return True
+
+    def keep_from(self, shown: Iterable[Event]) -> None:
+        """No blink comes into the way of these winks."""
+        winks = tuple((event.onset, event.end) for event in shown if isinstance(event, Blink))
+        self.face = replace(self.face, memory=replace(self.face.memory, winks=winks))
 
     def end(self, time: float) -> None:
         """All is over."""
@@ -167,6 +172,7 @@ class Ensemble:
         felt = [mark for mark in marks if isinstance(mark, EmotionMark)]
         shown = wordless(felt, body=main.state.body, onset=main.state.time)
         if shown:
+            main.keep_from(shown)
             main.go_on(self.breathing.rest(main.state, snap(max(event.end for event in shown)), "shown"))
         main.events += shown if main.state.parameters.face_emotion else []
 

@@ -22,7 +22,7 @@ from scorebreath.score.events import Event, Expiration, Hold, Inspiration
 from scorebreath.script import emoticons
 from scorebreath.script.emotional import with_breathing
 from scorebreath.script.marks import StateMark
-from scorebreath.script.markup.marked import Marked, Markup
+from scorebreath.script.markup.marked import Marked, Markup, marked
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import read
 from scorebreath.speech.model import Speech, SpeechRequest, Voice
@@ -61,7 +61,8 @@ def compile_text(
         media: Where the speech goes.
         parameters: Defaults where nothing is given.
         model: `natural`, `bernardet-2017` or `bernardet-2019`.
-        language: BCP 47 primary language; None: what the text's markup says, or English.
+        language: BCP 47 primary language; None: what the text's markup says, or the only one the voice speaks, or
+            English.
         poem: Whether line ends are phrase edges; None: as the text looks.
         seed: Of every chance.
         lead: Time before the first breath, s.
@@ -84,6 +85,9 @@ def compile_text(
     """
     p = parameters or Parameters()
     breathing = breathing_model(model)
+    if language is None:
+        text = text if isinstance(text, Marked) else marked(text, markup=markup, file=file)
+        language = text.language or voice.details.language or None
     script = read(text, language=language, poem=poem, file=file, markup=markup)
     begun = begin_states(states or {})
     ensemble = Ensemble(

@@ -26,11 +26,8 @@ if TYPE_CHECKING:
     from scorebreath.script.markup.marked import Marked
     from scorebreath.speech.model import Voice
 
-
 MOST_WARNINGS = 5
 """Warnings of a Score that are told one by one."""
-ANY_LANGUAGE = "mul"
-"""What a voice without a language of its own says it speaks (ISO 639-2)."""
 
 
 class Compiler:
@@ -67,6 +64,16 @@ class Compiler:
             if said := _without_region(language, self._voices[key]):
                 self._printer.note(said)
         return self._voices[key]
+
+    def language(self, text: Marked) -> str:
+        """What a text is read as: as the options say, or the text, or the only language of the voice that is named."""
+        told = self.options.language or text.language
+        if told or not self.options.voice:
+            return told or DEFAULT_LANGUAGE
+        voice = self.voice()
+        language = voice.details.language or DEFAULT_LANGUAGE
+        self._voices.setdefault((self.options.voice, language), voice)
+        return language
 
     def prepare(self, source: Source) -> None:
         """Let the voice get ready, unless the text may say which language it is in."""
@@ -108,7 +115,7 @@ class Compiler:
         cast = options.casting()
         parameters, states = options.parameters(), options.begin()
         text = text_of(source, options)
-        language = options.language or text.language or DEFAULT_LANGUAGE
+        language = self.language(text)
         voice = self.voice(language=language)
         lead, tail = seconds("lead", options.lead, LEAD), seconds("tail", options.tail, TAIL)
         self._printer.progress("speak", 0.0)
@@ -147,7 +154,7 @@ class Compiler:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
         """End the voices' processes."""
-        for voice in self._voices.values():
+        for voice in dict.fromkeys(self._voices.values()):
             voice.close()
 
 
@@ -173,6 +180,8 @@ def _without_region(language: str, voice: Voice) -> str:
     primary, _, rest = tag.partition("-")
     if rest in ("", primary):
         return ""
+    from scorebreath.speech.model import ANY_LANGUAGE
+
     details = voice.details
     if tag in (known.lower() for known in details.languages) or ANY_LANGUAGE in details.languages:
         return ""

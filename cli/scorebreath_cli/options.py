@@ -151,7 +151,8 @@ Seed = Annotated[
 Language = Annotated[
     str | None,
     typer.Option(
-        "--language", metavar="CODE", help="Language of the text, such as de; en by default.",
+        "--language", metavar="CODE",
+        help="Language of the text, such as de; by default what the text says, or the voice's own, or en.",
         rich_help_panel=COMPILING,
     ),
 ]  # fmt: skip

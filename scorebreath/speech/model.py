@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 from scorebreath.score.events import Closing, Level, Phone, Pitch, Word
 from scorebreath.spans import SpokenText
 
+ANY_LANGUAGE = "mul"
+"""What a voice without a language of its own says it speaks (ISO 639-2)."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VoiceDetails:
@@ -33,6 +36,12 @@ class VoiceDetails:
     """Hz"""
     deterministic: bool
     """equal requests give equal bytes, on one machine with one set of versions"""
+
+    @property
+    def language(self) -> str:
+        """The primary language, such as `de`, of a voice that speaks one alone; else empty."""
+        primaries = {language.partition("-")[0].lower() for language in self.languages} - {ANY_LANGUAGE}
+        return primaries.pop() if len(primaries) == 1 else ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -301,3 +301,19 @@ def test_a_score_that_ends_before_its_events_says_what_is_cut(script: Path, tmp_
     assert [(event["source"], event["text"]) for event in events(result.stdout) if event["event"] == "note"] == [
         (str(path), said)
     ]
+
+
+def test_a_german_voice_reads_german(tmp_path: Path) -> None:
+    """`--voice espeak:de` alone is as `--language de` beside it, for what is planned as well; else nothing is."""
+    (tmp_path / "a.txt").write_text("Der Mann fragt, ob der Zug um 3 Uhr kommt, z. B. heute.", encoding="utf-8")
+
+    def of(command: str, *options: str) -> str:
+        done = run(command, tmp_path / "a.txt", *options, *(["-o", "-"] if command == "compile" else []))
+        assert done.exit_code == 0, done.stderr
+        return done.stdout
+
+    assert of("compile", "--voice", "espeak:de") == of("compile", "--voice", "espeak:de", "--language", "de")
+    assert json.loads(of("compile", "--voice", "espeak:de+f3"))["language"] == "de"
+    assert json.loads(of("compile", "--voice", "espeak:de", "--language", "en"))["language"] == "en"
+    assert json.loads(of("compile", "--voice", "espeak"))["language"] == "en"
+    assert of("explain", "--voice", "espeak:de") == of("explain", "--language", "de")

@@ -179,3 +179,15 @@ def test_nothing_to_say_is_one_clear_error(voice: Voice, text: str) -> None:
 def test_an_unknown_model_is_refused(voice: Voice) -> None:
     with pytest.raises(InputError, match="bernardet-2019"):
         compiled(voice, model="bernardet-2018")
+
+
+def test_a_text_is_read_in_the_only_language_of_its_voice() -> None:
+    """Unless somebody says another; a voice of any language leaves it English."""
+    text = "Der Mann geht um 3."
+    with open_voice("espeak:de", "de") as german, open_voice("tone", "en") as tone:
+        own = compile_text(text, voice=german, media=MemoryStore())
+        assert own.language == "de" and not next(own.of(Utterance)).words[0].accent
+        assert compile_text(text, voice=german, media=MemoryStore(), language="en").language == "en"
+        told = "<speak version='1.1' xmlns='http://www.w3.org/2001/10/synthesis' xml:lang='en'>One.</speak>"
+        assert compile_text(told, voice=german, media=MemoryStore()).language == "en"
+        assert compile_text(text, voice=tone, media=MemoryStore()).language == "en"

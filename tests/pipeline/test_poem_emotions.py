@@ -359,3 +359,14 @@ def test_a_face_needs_no_words_to_feel(text: str, names: list[str], model: str) 
     assert all(event.apex == 0.5 and event.duration == 1.0 for event in felt)
     assert max(event.end for event in felt) <= score.duration
     assert [event.right for event in score.of(Blink) if event.left == 0.0] == [1.0] * ("kidding" in names)
+
+
+@pytest.mark.parametrize("seed", [54, 57, 59])
+def test_no_blink_comes_into_the_way_of_a_wink_without_words(seed: int) -> None:
+    with open_voice("tone", "en") as voice:
+        score = compile_text(";-) :-( ;-)", voice=voice, media=MemoryStore(), seed=seed)
+    blinks = list(score.of(Blink))
+    winks = [event for event in blinks if event.left == 0.0]
+    assert len(winks) == 2
+    for wink in winks:
+        assert [other for other in blinks if other.onset < wink.end and wink.onset < other.end] == [wink]

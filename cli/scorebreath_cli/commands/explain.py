@@ -11,7 +11,7 @@ import typer
 from scorebreath_cli import options as o
 from scorebreath_cli import printers
 from scorebreath_cli.failures import Status, reporting
-from scorebreath_cli.settings import DEFAULT_LANGUAGE, DEFAULT_MODEL, CompileOptions
+from scorebreath_cli.settings import DEFAULT_MODEL, CompileOptions
 from scorebreath_cli.settings import seed as seed_of
 
 if TYPE_CHECKING:
@@ -180,7 +180,7 @@ def _of_script(source: Source, compiler: Compiler) -> Iterator[GroupRow]:
     options = compiler.options
     parameters = options.parameters()
     text = text_of(source, options)
-    language = options.language or text.language or DEFAULT_LANGUAGE
+    language = compiler.language(text)
     script = read(text, language=language, poem=options.poem, file=source.name)
     groups = plan_script(
         script,

@@ -10,7 +10,7 @@ import numpy as np
 from scorebreath.signal.level import active_db
 from scorebreath.spans import SpokenText
 from scorebreath.speech.assemble import FramedPhone, SpokenWord, silence, speech
-from scorebreath.speech.model import Speech, SpeechRequest, Voice, VoiceDetails
+from scorebreath.speech.model import ANY_LANGUAGE, Speech, SpeechRequest, Voice, VoiceDetails
 from scorebreath.speech.tone.letters import Read, Sound, read, sounds_of
 from scorebreath.speech.tone.sound import FULL_SCALE, SAMPLE_RATE, STEP, Placed, contour, render
 
@@ -25,7 +25,7 @@ DETAILS = VoiceDetails(
     version=VERSION,
     licence="GPL-3.0-or-later",
     provenance="tones and noise by rule, for tests; part of scorebreath",
-    languages=("mul",),
+    languages=(ANY_LANGUAGE,),
     sample_rate=SAMPLE_RATE,
     deterministic=True,
 )
