@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterable, Sequence
 
 
@@ -117,9 +118,21 @@ _EXCERPT = 100
 
 
 def _excerpt(text: str, column: int) -> tuple[str, int]:
-    """The part of a long line around `column`, made printable, and the caret's offset in it."""
+    """The part of a long line around `column`, made printable, and how many cells of a terminal stand before it.
+
+    >>> _excerpt("Well [xyz]", 6), _excerpt("息を [xyz]", 4)
+    (('Well [xyz]', 5), ('息を [xyz]', 5))
+    """
     start = max(0, column - 1 - _EXCERPT // 2)
     part = text.rstrip("\r\n")[start : start + _EXCERPT]
     shown = "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in part)
     head = "..." if start else ""
-    return head + shown, len(head) + max(0, column - 1 - start)
+    before = max(0, column - 1 - start)
+    return head + shown, len(head) + sum(map(_cells, shown[:before])) + max(0, before - len(shown))
+
+
+def _cells(character: str) -> int:
+    """How wide a terminal shows it: 2 for Chinese, Japanese, Korean and emoji, 0 for marks on the letter before."""
+    if unicodedata.combining(character):
+        return 0
+    return 2 if unicodedata.east_asian_width(character) in "WF" else 1
