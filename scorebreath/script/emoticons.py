@@ -101,6 +101,8 @@ _BEHIND = re.compile(r"[\s.,!?;:…)\]\"'”’»«*_~<>^-]|\Z")
 _OPENING = re.compile(rf"(?:\A|\s)[{_OPENER}]*\Z")
 _CLOSING = re.compile(r"[.,!?;:…\"'”’»«)\]]|\Z")
 _TOKEN = re.compile(r"\S*$")
+_OPENED, _CLOSED_AGAIN = re.compile(r"(?<!\S)\((?=[\w\"'“„‘«])"), re.compile(r"(?<=[\w.,!?;\"'”’»])\)")
+"""Brackets around words."""
 _NEAR = 64
 """Code points that are looked at before an emoticon."""
 
@@ -128,20 +130,26 @@ def possible(text: str) -> bool:
 
 
 def spans(text: str, start: int = 0, end: int | None = None) -> Iterator[Span]:
-    """Where emoticons and emoji stand in `text[start:end]`, each with the mark behind it that ends nothing.
+    """Where emoticons and emoji stand in `text[start:end]`, each with what around it ends nothing, either.
+
+    That is a mark behind it, or brackets that hold it alone.
 
     >>> [span.cut("Hi :-) it's a Grab: : - ( . (a:)") for span in spans("Hi :-) it's a Grab: : - ( . (a:)")]
     [':-)', ': - ( .']
+    >>> [span.cut("So (:D) I said (again :-))") for span in spans("So (:D) I said (again :-))")]
+    ['(:D)', ':-)']
     """
     last = len(text) if end is None else end
     behind, marked = -1, False
-    for match in _PATTERN.finditer(text, start, last):
-        first, stop = match.span()
+    for first, stop in _found(text, start, last):
         marked = _marked(text, first) or (marked and not text[behind:first].strip(" \n"))
         behind = stop
         if marked and (idle := _IDLE.match(text, stop, last)) and not _PATTERN.match(text, idle.end("space"), last):
             behind = idle.end()
-        yield Span(first, behind)
+        if first > start and behind < last and text[first - 1] + text[behind] in ("()", "[]"):
+            yield Span(first - 1, behind + 1)
+        else:
+            yield Span(first, behind)
 
 
 def without(text: str) -> str:
@@ -187,11 +195,10 @@ def signs(text: str, start: int = 0) -> Iterator[Sign]:
     [('😀😂 :-)', 'happy')]
     """
     waiting: Sign | None = None
-    for match in _PATTERN.finditer(text, start):
-        found = meaning(match.group())
-        if found is None or not _meant(text, *match.span()):
+    for first, stop in _found(text, start, len(text)):
+        found = meaning(text[first:stop])
+        if found is None or not _meant(text, first, stop):
             continue
-        first, stop = match.span()
         if waiting and waiting.name == found.name and _APART.fullmatch(text, waiting.span.end, first):
             waiting = Sign(Span(waiting.span.start, stop), found.name, max(waiting.intensity, found.intensity))
             continue
@@ -200,6 +207,16 @@ def signs(text: str, start: int = 0) -> Iterator[Sign]:
         waiting = Sign(Span(first, stop), found.name, found.intensity)
     if waiting:
         yield waiting
+
+
+def _found(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
+    """What looks like an emoticon, without the last bracket of `:-))` where that closes one that was opened."""
+    for match in _PATTERN.finditer(text, start, end):
+        first, stop = match.span()
+        if text[stop - 2 : stop] == "))":
+            line = _PATTERN.sub(" ", text[max(0, first - _NEAR) : first].rpartition("\n")[2])
+            stop -= len(_OPENED.findall(line)) > len(_CLOSED_AGAIN.findall(line))
+        yield first, stop
 
 
 def _marked(text: str, place: int) -> bool:
