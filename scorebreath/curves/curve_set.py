@@ -63,6 +63,14 @@ class CurveSet:
         """
         return self.sources.lips.closures.sample(_moments(times))
 
+    def visemes(self, times: ArrayLike) -> Array:
+        """How much is shown of each of `lips.visemes.VISEMES`: (n, 15), adding up to 1.
+
+        Raises:
+            InputError: A time is not a finite number.
+        """
+        return self.sources.lips.visemes.sample(_moments(times))
+
     def channel(self, name: str) -> Channel:
         """The table's row of that name.
 

@@ -50,10 +50,6 @@ def test_a_rig_like_another_changes_what_it_says() -> None:
         ("[columns]\na = { from = { jaw = 1 } }", "rig mine: a: from 'jaw' is unknown; did you mean jaw_open"),
         ("[columns]\na = { from = 3 }", "rig mine: from = 3; expected a table"),
         ('[columns]\na = { from = ["jaw_open"] }', r"rig mine: from = \['jaw_open'\]; expected a table"),
-        ("prototypes = 4\n[columns]\na = {}", "rig mine: prototypes = 4; expected a table"),
-        ('[columns]\na = {}\n[prototypes]\nchannels = ["jaw_open"]', "expected 1 numbers a row, and widths above 0"),
-        ("[columns]\na = {}\n[prototypes]\nwidths = 3", "rig mine: prototypes: widths = 3; expected a list"),
-        ("[columns]\na = {}\n[prototypes]\npoints = 3", "rig mine: points = 3; expected a table"),
         ('order = "a"\n[columns]\na = {}', "rig mine: order = 'a'; expected a list of columns"),
         ('order = ["a", "a"]\n[columns]\na = {}', "rig mine: column 'a': expected each name once"),
         ('[columns]\n"a,b" = {}', "rig mine: column 'a,b': expected each name once, without commas"),
@@ -73,8 +69,6 @@ def test_a_rig_like_another_changes_what_it_says() -> None:
         ('[columns]\na = {}\n[yields]\na = "b"', "rig mine: yields: a 'b' is unknown"),
         ('order = ["b"]\n[columns]\na = {}', "rig mine: order 'b' is unknown"),
         ('names = "upper"\n[columns]\na = {}', "rig mine: names = 'upper'; expected pascal"),
-        ("[columns]\na = {}\n[prototypes]\nchannels = ['jaw_open']\nwidths = [0]\n[prototypes.points]\nv = [1]",
-         "rig mine: prototypes: expected 1 numbers a row, and widths above 0"),
     ],
 )  # fmt: skip
 def test_a_broken_rig_is_refused_where_it_is_broken(text: str, words: str) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from scorebreath.curves.rigs.drivers import CONTACT, DRIVERS
+from scorebreath.curves.rigs.drivers import CONTACT, DRIVERS, VISEME
 from scorebreath.curves.rigs.table import RIGS, read_rig
 from scorebreath.expression.rules import RULES
 from scorebreath.parameters.columns import read_table
@@ -41,6 +41,9 @@ def test_nothing_else_is_told() -> None:
 @pytest.mark.parametrize("name", DRIVERS)
 def test_every_driver_is_told(name: str) -> None:
     driver = DRIVERS[name]
+    if name.startswith(VISEME):
+        assert f"`{name}`" in PAGE
+        return
     of = ", ".join(f"`{channel}`" for channel in driver.channels if channel != CONTACT)
     assert f"| `{name}` | {of} | {driver.meaning} |\n" in PAGE
 

@@ -10,6 +10,7 @@ from scorebreath.curves.lips.gates import Gate, ease, gate
 from scorebreath.curves.lips.handover import NOTHING, Handover, handover
 from scorebreath.curves.lips.strings import GONE, WHOLE, PhoneString, phone_string
 from scorebreath.curves.lips.targets import CLOSE, JAW, LIP_CHANNELS, TUCK, targets
+from scorebreath.curves.lips.visemes import Visemes, visemes
 from scorebreath.curves.nose_and_mouth import face_shape
 from scorebreath.curves.tracks import Array, Index, track
 from scorebreath.equations.dominance import dominance
@@ -49,6 +50,7 @@ class Lips:
     """f, v"""
     handover: Handover
     """from the breath's mouth"""
+    visemes: Visemes
 
     def sample(self, times: Array, mouth_open: Array, *, closure_gate: bool = True) -> Array:
         """Values of LIP_CHANNELS.
@@ -152,6 +154,7 @@ def lips(score: Score, body: str) -> Lips:
         closures=gate(string, "lip_close"),
         tucks=gate(string, "lip_tuck"),
         handover=NOTHING,
+        visemes=visemes(string),
     )
     breaths = [e for e in score.events if isinstance(e, Inspiration | Expiration) and e.body == body]
     jaw = alone.sample(spoken.start, np.zeros(spoken.start.shape), closure_gate=False)[:, JAW]

@@ -1,4 +1,4 @@
-"""What a rig's columns can be made from besides channels: a few combinations of them, each a row here."""
+"""What a rig's columns can be made from besides channels: a few combinations of them, and visemes, each a row here."""
 
 from __future__ import annotations
 
@@ -8,10 +8,13 @@ from types import MappingProxyType
 
 import numpy as np
 
+from scorebreath.curves.lips.visemes import VISEMES
 from scorebreath.curves.tracks import Array
 
 CONTACT = "contact"
 """1 while p, b or m must hold the lips shut, ramps of 62 ms beside, 0 elsewhere: `CurveSet.contact`, no channel."""
+VISEME = "viseme_"
+"""Before the name of a viseme: its share, of `CurveSet.visemes`, no channel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +22,7 @@ class Driver:
     """A function of channels."""
 
     channels: tuple[str, ...]
-    """what it is given, in this order; or CONTACT"""
+    """what it is given, in this order; or CONTACT, or VISEME and a name"""
     of: Callable[..., Array]
     """(n,) each in, (n,) out"""
     meaning: str
@@ -27,13 +30,6 @@ class Driver:
 
 OPEN = 0.58
 """Value of jaw_open for aa."""
-BETWEEN = 0.88
-"""Value of tongue_tip from which on it comes out between the teeth; for t, d and n it stays below."""
-
-
-def _out(tip: Array) -> Array:
-    return np.clip((tip - BETWEEN) / (1.0 - BETWEEN), 0.0, 1.0)
-
 
 DRIVERS: Mapping[str, Driver] = MappingProxyType(
     {
@@ -60,7 +56,6 @@ DRIVERS: Mapping[str, Driver] = MappingProxyType(
         "unrounded": Driver(
             ("jaw_open", "lip_round"), lambda jaw, rounded: jaw * (1.0 - rounded), "jaw open behind spread lips (aa)"
         ),
-        "tongue_out": Driver(("tongue_tip",), _out, "tip of the tongue between the teeth (th)"),
         "shut_left": Driver(("lid_left",), lambda lid: np.maximum(lid, 0.0), "how far the left eye is shut"),
         "shut_right": Driver(("lid_right",), lambda lid: np.maximum(lid, 0.0), "how far the right eye is shut"),
         **{
@@ -71,6 +66,10 @@ DRIVERS: Mapping[str, Driver] = MappingProxyType(
             for way, of in zip(
                 ways, (lambda angle: np.maximum(angle, 0.0), lambda angle: np.maximum(-angle, 0.0)), strict=True
             )
+        },
+        **{
+            f"{VISEME}{name}": Driver((f"{VISEME}{name}",), np.asarray, f"share of the viseme {name}; all add up to 1")
+            for name in VISEMES
         },
     }
 )  # fmt: skip

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from scorebreath.curves.curve_set import CurveSet
-from scorebreath.curves.rigs.drivers import CONTACT, DRIVERS
-from scorebreath.curves.rigs.prototypes import Prototypes
+from scorebreath.curves.lips.visemes import VISEMES
+from scorebreath.curves.rigs.drivers import CONTACT, DRIVERS, VISEME
 from scorebreath.curves.tracks import Array
 from scorebreath.errors import InputError
 from scorebreath.score.acting import EMOTIONS
@@ -20,7 +20,7 @@ Negative = Literal["clip", "offset", "allow"]
 GATE = "closing"
 """The driver that shuts lips for p, b and m: the closure gate."""
 HIGH = "high"
-TIMES = " * "
+TIMES = "*"
 """Between the names of a product of two."""
 
 
@@ -37,7 +37,7 @@ class Column:
     """what is done with channels that add up to less than 0: `clip` takes 0, `offset` shows -1..1 as 0..1 with 0.5 at
     rest, `allow` takes them as they are"""
     parts: Mapping[str, float]
-    """factor of each channel, driver or prototype, or of a product of two of them, in the column's unit"""
+    """factor of each channel or driver, or of a product of two of them, in the column's unit"""
     emotions: Mapping[str, float]
     """what each emotion adds at full intensity, in the column's unit"""
     gate: float
@@ -67,7 +67,6 @@ class Rig:
     signs: str
     """what is positive, and whose left is left"""
     table: tuple[Column, ...]
-    prototypes: Prototypes | None = None
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -122,30 +121,25 @@ class Rig:
         used = {factor for column in self.table for part in column.parts for factor in factors(part)}
         used |= {column.yields for column in self.table}
         used |= {GATE for column in self.table if column.gate or column.shuts}
-        shares = self.prototypes.names if self.prototypes is not None else ()
-        near = "how near jaw, lips and tongue are to this prototype; all add up to 1"
-        return {name: each.meaning for name, each in DRIVERS.items() if name in used} | dict.fromkeys(shares, near)
+        return {name: driver.meaning for name, driver in DRIVERS.items() if name in used}
 
     def _sources(self, table: Sequence[Column], curve_set: CurveSet, times: ArrayLike) -> dict[str, Array]:
-        """Every channel, driver and prototype that some columns need, (n,) each."""
+        """Every channel and driver that some columns need, (n,) each."""
         table = (*table, *(self.column(column.shuts) for column in table if column.shuts not in ("", HIGH)))
         felt = {name for column in table for name in column.emotions}
         parts = {name for column in table for name in (*column.parts, column.yields) if name}
         wanted = {factor for part in parts for factor in factors(part)}
         wanted |= {GATE} | {f"emotion_{name}" for name in EMOTIONS if name in felt}
-        shares = self.prototypes if self.prototypes is not None and wanted & set(self.prototypes.names) else None
-        if shares is not None:
-            wanted = (wanted - set(shares.names)) | set(shares.channels)
         drivers = [name for name in sorted(wanted) if name in DRIVERS]
         needed = (wanted - set(drivers)) | {need for name in drivers for need in DRIVERS[name].channels}
-        channels = sorted(needed - {CONTACT})
+        channels = sorted(name for name in needed if name != CONTACT and not name.startswith(VISEME))
         found = dict(zip(channels, np.ascontiguousarray(curve_set.sample(times, channels).T), strict=True))
         found[CONTACT] = curve_set.contact(times)
+        if any(name.startswith(VISEME) for name in needed):
+            shares = np.ascontiguousarray(curve_set.visemes(times).T)
+            found |= {f"{VISEME}{name}": share for name, share in zip(VISEMES, shares, strict=True)}
         for name in drivers:
             found[name] = DRIVERS[name].of(*(found[need] for need in DRIVERS[name].channels))
-        if shares is not None:
-            points = np.array([found[name] for name in shares.channels])
-            found |= dict(zip(shares.names, shares.shares(points), strict=True))
         for part in parts:
             if part not in found:
                 one, other = factors(part)
@@ -159,7 +153,7 @@ def factors(part: str) -> tuple[str, ...]:
     >>> factors("jaw_open"), factors("jaw_open * lip_round")
     (('jaw_open',), ('jaw_open', 'lip_round'))
     """
-    return tuple(part.split(TIMES))
+    return tuple(name.strip() for name in part.split(TIMES))
 
 
 def _added(factors: Mapping[str, float]) -> str:

@@ -4,12 +4,11 @@
     [units]                  rad = 0.0174533       what a factor in the file is multiplied by, for columns of that unit
     [defaults]               of every column: low, high, unit, negative
     [columns]                jawOpen = { from = { mouth = 1.0 }, low = 0, high = 1, unit = "", negative = "clip" }
-                             `from` names channels, drivers, prototypes, or products: "jaw_open * lip_round"
+                             `from` names channels, drivers, or products of two: "jaw_open * lip_round"
     [emotions.happy]         "mouthSmile*" = 0.7   `*` is Left and Right, or _left and _right, or _l_ and _r_
     [closure]                mouthFunnel = 1.0     share that the closure gate takes; mouthClose = "jawOpen": equals
                              that column where lips shut; "high": its own highest value
     [yields]                 eyeWideLeft = "shut_left"    the driver that takes a column's emotions away
-    [prototypes]             channels and widths; [prototypes.points] a row of numbers each
 
 A table that is `like` another begins with that one's rows; `order` picks and sorts them, `names` writes them otherwise.
 """
@@ -26,11 +25,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, get_args
 
-import numpy as np
-
 from scorebreath.curves.channels import CHANNELS
 from scorebreath.curves.rigs.drivers import DRIVERS
-from scorebreath.curves.rigs.prototypes import Prototypes
 from scorebreath.curves.rigs.rig import HIGH, Column, Negative, Rig, factors
 from scorebreath.errors import InputError, did_you_mean
 from scorebreath.score.acting import EMOTIONS
@@ -39,7 +35,6 @@ RIGS = ("arkit", "livelink", "oculus", "fap", "muscles")
 """Ours, in the order in which they are listed."""
 SECTIONS = (
     "about", "signs", "like", "names", "order", "units", "defaults", "columns", "emotions", "closure", "yields",
-    "prototypes",
 )  # fmt: skip
 KEYS = ("from", "low", "high", "unit", "negative")
 SIDES = (("Left", "Right"), ("_left", "_right"), ("_l_", "_r_"))
@@ -88,8 +83,7 @@ def read_rig(name: str, text: str) -> Rig:
         InputError: It is no TOML, or says what no rig says; the message names the rig and the row.
     """
     document = _document(name, text)
-    prototypes = _prototypes(name, document.get("prototypes"))
-    known = {*(channel.name for channel in CHANNELS), *DRIVERS, *(prototypes.names if prototypes else ())}
+    known = {*(channel.name for channel in CHANNELS), *DRIVERS}
     columns = _rows(name, document, "columns")
     order = document.get("order", list(columns))
     if not isinstance(order, list):
@@ -109,7 +103,6 @@ def read_rig(name: str, text: str) -> Rig:
             raise InputError(f"rig {name}: {column.name} closes {column.shuts}, which order leaves out; expected both")
     return Rig(
         name=name, about=str(document.get("about", "")), signs=str(document.get("signs", "")), table=table,
-        prototypes=prototypes,
     )  # fmt: skip
 
 
@@ -206,31 +199,6 @@ def _renamed(rig: str, names: Any, column: Column) -> Column:
 
 def _pascal(name: str) -> str:
     return name[:1].upper() + name[1:]
-
-
-def _prototypes(rig: str, table: Any) -> Prototypes | None:
-    if table is None:
-        return None
-    if not isinstance(table, dict):
-        raise InputError(f"rig {rig}: prototypes = {table!r}; expected a table")
-    channels = _list(rig, "channels", table.get("channels", []))
-    _known(rig, "prototypes: channels", channels, {*(channel.name for channel in CHANNELS), *DRIVERS})
-    points = _rows(rig, table, "points")
-    rows = {
-        name: [_number(rig, f"prototypes: {name}", n) for n in _list(rig, name, row)] for name, row in points.items()
-    }
-    widths = [_number(rig, "prototypes: widths", width) for width in _list(rig, "widths", table.get("widths", []))]
-    if {len(widths), *(len(row) for row in rows.values())} != {len(channels)} or min(widths, default=0.0) <= 0:
-        raise InputError(f"rig {rig}: prototypes: expected {len(channels)} numbers a row, and widths above 0")
-    return Prototypes(
-        names=tuple(rows), channels=tuple(channels), points=np.array(list(rows.values())), widths=np.array(widths)
-    )
-
-
-def _list(rig: str, what: str, value: Any) -> list[Any]:
-    if not isinstance(value, list):
-        raise InputError(f"rig {rig}: prototypes: {what} = {value!r}; expected a list")
-    return value
 
 
 def _rows(rig: str, document: Mapping[str, Any], section: str) -> Table:
