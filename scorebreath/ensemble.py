@@ -108,9 +108,13 @@ class Ensemble:
     def performer(self, name: str) -> Performer:
         """Who speaks with a voice; somebody new breathes at rest until now.
 
+        Whoever begins is also meant by the whole name of their voice, such as `espeak:en-us` for `espeak`.
+
         Raises:
             InputError: There is no such voice.
         """
+        if name == self.voice.details.voice and name not in self.cast:
+            name = ""
         if name not in self.performers:
             who = BODY if not self.performers else f"{BODY}{len(self.performers) + 1}"
             p = self.cast.get(name, self.parameters)

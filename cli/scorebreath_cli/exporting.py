@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,8 +19,9 @@ if TYPE_CHECKING:
 
 
 def write_as(
-    printer: Printer, given: str, output: str, form: Format, choice: ExportOptions, *, force: bool, json_lines: bool
-) -> None:
+    printer: Printer, given: str, output: str, form: Format, choice: ExportOptions, *, force: bool, json_lines: bool,
+    besides: Sequence[str] = (),
+) -> None:  # fmt: skip
     """Write what a format makes of a Score.
 
     Args:
@@ -30,6 +32,7 @@ def write_as(
         choice: What its writer is told.
         force: Whether a file that is there may be replaced.
         json_lines: Whether stdout is taken already.
+        besides: Other files that are read, and may not be replaced, either.
 
     Raises:
         InputError: The input is no Score, or the output may not stand there.
@@ -41,7 +44,8 @@ def write_as(
     if output == STANDARD:
         check_stdout()
     else:
-        refuse_own_input(given, [path])
+        for each in (given, *besides):
+            refuse_own_input(each, [path])
         refuse_existing(path.parent, (path.name,), force=force)
 
     score, _ = load_score(read_source(given))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 import shutil
@@ -34,6 +35,8 @@ TAKE = "take.jsonl"
 """What a take's folder holds."""
 _OURS = re.compile(r"(speech|breath)/[0-9a-f]{64}\.wav\Z|([^/]+/)?[a-z]+\.csv\Z")
 """What of an old output may be taken away, whoever names it."""
+_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+"""Failures of a write, which do not name the file."""
 _NAMED = re.compile(rb'"path":"((?:speech|breath)/[0-9a-f]{64}\.wav)"')
 
 
@@ -121,6 +124,8 @@ class _Staging(ABC):
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
         with uninterrupted(), self._undo, _told(self.target):
+            if isinstance(error, OSError) and error.errno in _FULL:
+                raise error
             if kind is None:
                 self._commit()
                 self._undo.pop_all()

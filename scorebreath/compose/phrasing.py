@@ -202,6 +202,9 @@ def _divided(
         quoted = not final and ending.tone == HIGH  # a question that ends, though the sentence around it goes on
         if quoted:
             sentence = _Sentence("question", (_opening((), said[_quoted(said) or 0 :]),), sentence.stanza)
+        elif not final and ending.tone == LOW and sentence.type == "question":  # "Never!" or "Yes.", quoted
+            own: SentenceType = "exclamation" if place and place.spoken.text.endswith("!") else "statement"
+            sentence = sentence._replace(type=own)
         if final or quoted:
             ending = ending._replace(tone=_tone(sentence, language))
         if place is not None and place.told is not None:
@@ -272,7 +275,9 @@ def _sentences(parts: Sequence[Part], opening: tuple[str, ...]) -> list[_Sentenc
                 continue
             kind = part.sentence_type if last else TYPES.get(word.spoken.text[-1:], "statement")
             ended = word.edge in CLOSING or part.ends_sentence
-            out += [_Sentence(kind, _openings(own, opening, ended=ended), stanza)] * len(own)
+            sentence = _Sentence(kind, _openings(own, opening, ended=ended), stanza)
+            before = _asked_from(own, ended=ended) if kind == "question" else 0
+            out += [sentence._replace(type="statement")] * before + [sentence] * (len(own) - before)
             own, opening = [], ()
             if stanza is not None and word.edge == "paragraph":
                 stanza += 1
@@ -285,12 +290,17 @@ def _openings(own: Sequence[ScriptWord], begun: tuple[str, ...], *, ended: bool)
     Where what ends a sentence is quoted, the mark at its end is the quotation's: that begins where it opens.
     """
     starts = [0, *(place for place, word in enumerate(own[:-1], 1) if word.edge in EDGES)]
-    last = own[-1]
-    if ended and last.spoken.runs and last.spoken.runs[-1].source.end < last.source.end:
-        quoted = _quoted(own)
-        if quoted is not None:
-            starts, begun = [quoted, *(place for place in starts if place > quoted)], ()
+    quoted = _asked_from(own, ended=ended)
+    if quoted:
+        starts, begun = [quoted, *(place for place in starts if place > quoted)], ()
     return tuple(_opening(begun if not number else (), own[start:]) for number, start in enumerate(starts))
+
+
+def _asked_from(own: Sequence[ScriptWord], *, ended: bool) -> int:
+    """Where what a sentence ends with begins: with its last quotation, if the mark at its end is quoted; else 0."""
+    last = own[-1]
+    closed = ended and bool(last.spoken.runs) and last.spoken.runs[-1].source.end < last.source.end
+    return (_quoted(own) or 0) if closed else 0
 
 
 def _quoted(words: Sequence[ScriptWord]) -> int | None:

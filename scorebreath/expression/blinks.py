@@ -104,7 +104,7 @@ def speech_blinks(actor: Actor, scene: Scene, pauses: Sequence[PausePlan], comin
             if at >= scene.end - SHORTEST:
                 return
             if free(actor, at):
-                why = f"{at - _since(actor, at):.1f} s after the last"
+                why = f"{at - _since(actor, at):.1f} s after the last one ended"
                 blink(actor, at, "need", why, looks=looks, until=scene.end, scene=scene)
             else:
                 actor.note(blink_due=_after_wink(actor, at))

@@ -229,8 +229,9 @@ def _questions(
 ) -> tuple[Question, ...]:
     """Last words of the questions that end in the group."""
     found = []
+    spans = [_span(utterance, word, word.text) for word, utterance in words]  # on the grid, as phrases are
     for phrase in asking:
-        said = [_span(u, word, word.text) for word, u in words if phrase.onset <= u.onset + word.onset < phrase.end]
+        said = [word for word in spans if phrase.onset <= word.onset < phrase.end]
         if phrase.asked and said:
             last = said[-1]
             until = next((sound.onset for sound in sounds if sound.onset >= last.end - 1e-6), None)

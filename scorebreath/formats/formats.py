@@ -94,12 +94,14 @@ def rig_formats(rig: str) -> tuple[Format, ...]:
     """What a rig can be written as: a table and a document, or what its own programs read.
 
     Args:
-        rig: A name, or the path of a `.toml` file; see `rig_named`.
+        rig: A name, or the path of a `.toml` file; see `rig_named`. One like `livelink` or `fap`, with all its columns
+            in their units, can be written as that.
     """
+    kind = rig if rig in RIGS else rig_named(rig).kind
     table = Format(
         name=f"{rig}.csv", suffix=".csv", what=f"rig {rig}, a row a frame", write=_of_rig(rig, _rig_csv), keys=True
     )
-    if rig == "livelink":
+    if kind == "livelink":
         table = Format(
             name=f"{rig}.csv", suffix=".csv", what="ARKit's shapes as the Live Link Face app records them",
             write=_of_rig(rig, _livelink),
@@ -107,7 +109,7 @@ def rig_formats(rig: str) -> tuple[Format, ...]:
     document = Format(
         name=f"{rig}.json", suffix=".json", what=f"rig {rig}, a column each", write=_of_rig(rig, _rig_json)
     )
-    if rig != "fap":
+    if kind != "fap":
         return table, document
     file = Format(
         name=f"{rig}.fap", suffix=".fap", what="MPEG-4 facial animation parameters, for players of FAP files",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from scorebreath.script.accents import plain
 from scorebreath.script.lexicon import Lexicon, lexicon
@@ -19,12 +20,16 @@ def asks_for_word(openings: Sequence[Sequence[str]], language: str) -> bool:
     auxiliary must follow it, or nothing at all.
 
     Args:
-        openings: The first words of each of the sentence's phrases, `OPENING` of them or more.
+        openings: The first words of each of the sentence's phrases, `OPENING` of them or more, the next phrase's too.
         language: BCP 47; of one without a table, no question is known to ask for a word.
 
     >>> asks_for_word([["And", "what", "is", "it"]], "en"), asks_for_word([["Is", "it", "you"]], "en")
     (True, False)
     >>> asks_for_word([["When", "I", "came"], ["did", "you", "go"]], "en")
+    False
+    >>> asks_for_word([["Sag", "mal"], ["was", "machst", "du"]], "de"), asks_for_word([["Siehst", "du"], ["wie"]], "de")
+    (True, True)
+    >>> asks_for_word([["Siehst", "du"], ["was", "geschehen", "ist"]], "de")
     False
     """
     known = lexicon(language)
@@ -42,7 +47,21 @@ def asks_for_word(openings: Sequence[Sequence[str]], language: str) -> bool:
         free = len(words) == 1 or (number == 0 and first not in known.clauses)
         if free or hanging or (len(words) > 1 and _auxiliary(words[1], known)):
             return True
+        if len(words) > 1 and _verb(opening[len(opening[:OPENING]) - len(words) + 1], known):
+            return all(_address(before, behind, known) for before, behind in pairwise(openings[: number + 1]))
     return False
+
+
+def _verb(word: str, known: Lexicon) -> bool:
+    """Whether a word behind a question word must be a verb: no subject of a clause, which have articles or capitals."""
+    return bool(known.subjects) and word[:1].islower() and plain(word) not in known.function
+
+
+def _address(opening: Sequence[str], behind: Sequence[str], known: Lexicon) -> bool:
+    """Whether a phrase, up to the next one, only calls somebody: "Hallo", "Sag mal", but not "Siehst du"."""
+    ends = (place for place in range(len(opening)) if list(opening[place:]) == list(behind[: len(opening) - place]))
+    own = opening[: next(ends, len(opening))]
+    return len(own) == 1 or not any(plain(word) in known.subjects for word in own)
 
 
 def _auxiliary(word: str, known: Lexicon) -> bool:

@@ -37,6 +37,8 @@ class Lexicon:
     """those of them that also open a clause before the question"""
     leading: frozenset[str] = _NOTHING
     """what may stand before a question word"""
+    subjects: frozenset[str] = _NOTHING
+    """pronouns that a verb is about, where the verb of a question stands right behind its question word"""
 
 
 @cache
@@ -65,6 +67,7 @@ def lexicon(language: str) -> Lexicon:
         questions=_words(rows["questions"]["words"]),
         clauses=_words(rows["questions"]["clauses"]),
         leading=_words(rows["questions"]["leading"]),
+        subjects=_words(rows["questions"].get("subjects", [])),
     )
 
 

@@ -82,15 +82,14 @@ def test_a_rig_of_one_s_own(score: Path, tmp_path: Path) -> None:
         (["--rig", "arkti"], "no rig is called 'arkti' (there are arkit, livelink, "),
         (["--rig", "arkit", "--rig", "fap"], "--rig arkit --rig fap: one file holds one rig; `render` writes several"),
         (["-o", "face.xlsx"], "face.xlsx: expected a name that ends with .csv or .json, or --format with any name"),
-        (["--describe", "-o", "face.csv"], "-o face.csv: --describe prints, and writes no file"),
         (["--rig", "none.toml"], "the rig 'none.toml' cannot be read: "),
         (["--rig", "arkit", "--format", "fap"], "--format fap of --rig arkit: must be csv or json"),
         (["--rig", "fap", "--format", "xml"], "--format xml of --rig fap: must be csv or json or fap"),
         (["--format", "fap"], "--format fap: must be csv or json"),
         (["-o", "face.fap"], "face.fap: a .fap file holds --rig fap"),
         (["--rig", "fap", "--format", "fap", "--fps", "29.97"], "--fps 29.97: must be a whole number in a .fap file"),
-        (["--rig", "livelink", "--keys"], "--keys: livelink.csv has no column of times"),
-        (["--rig", "arkit", "--keys", "--format", "json"], "--keys: arkit.json has no column of times"),
+        (["--rig", "livelink", "--keys"], "--keys: a .csv of --rig livelink has no column of times"),
+        (["--rig", "arkit", "--keys", "--format", "json"], "--keys: a .json of --rig arkit has no column of times"),
         (["--rig", "arkit", "--degrees"], "--degrees is for the .csv of --rig livelink"),
         (["--degrees"], "--degrees is for the .csv of --rig livelink"),
     ],
@@ -103,6 +102,38 @@ def test_what_does_not_fit_is_told_in_one_line(
     assert (result.exit_code, result.stdout) == (2, "")
     assert result.stderr.startswith(f"scorebreath: {said}") and result.stderr.count("\n") == 1
     assert not list(tmp_path.iterdir())
+
+
+def test_describe_takes_nothing_that_it_would_not_use(tmp_path: Path) -> None:
+    wrong = run("curves", "--describe", "-o", tmp_path / "face.csv")
+    assert (wrong.exit_code, wrong.stdout) == (2, "") and "--describe explains columns" in wrong.stderr
+    assert run("curves", tmp_path / "none.json", "--describe").exit_code == 2
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_rig_like_livelink_is_written_as_its_files_are(score: Path, tmp_path: Path) -> None:
+    """Another factor leaves it importable; another column does not."""
+    mine = tmp_path / "mine.toml"
+    mine.write_text('like = "livelink"\n[columns]\nmouthRollUpper = { from = { lip_tuck = 0.5 } }\n')
+    theirs = [line.split(",") for line in run("curves", score, "--rig", "livelink", "--degrees").stdout.splitlines()]
+    ours = [line.split(",") for line in run("curves", score, "--rig", mine, "--degrees").stdout.splitlines()]
+    column = theirs[0].index("MouthRollUpper")
+    assert max(float(row[column]) for row in ours[1:]) > 0.2 > 0.0 == max(float(row[column]) for row in theirs[1:])
+    for row in (*ours[1:], *theirs[1:]):
+        row[column] = ""
+    assert ours == theirs
+    mine.write_text('like = "livelink"\norder = ["jawOpen", "mouthClose"]\n')
+    assert run("curves", score, "--rig", mine).stdout.startswith("time,JawOpen,MouthClose\n")
+    mine.write_text('like = "fap"\n')
+    assert run("curves", score, "--rig", mine, "-o", tmp_path / "mine.fap", "--fps", "25").exit_code == 0
+
+
+def test_a_rig_s_own_file_is_never_replaced(score: Path, tmp_path: Path) -> None:
+    mine = tmp_path / "mine.toml"
+    mine.write_text('like = "arkit"\n')
+    wrong = run("curves", score, "--rig", mine, "-o", mine, "--force", "--format", "csv")
+    assert wrong.exit_code == 2 and "would replace its own input" in wrong.stderr
+    assert mine.read_text() == 'like = "arkit"\n'
 
 
 @pytest.mark.parametrize("name", RIGS)

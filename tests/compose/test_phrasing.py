@@ -125,6 +125,19 @@ def test_a_question_that_is_quoted_is_one_though_its_sentence_is_none() -> None:
     assert found == {HIGH: ("question", "internal"), LOW: ("statement", "final")}
 
 
+def test_what_stands_before_a_quoted_question_is_none_of_it() -> None:
+    text = "‘Idiot!’ said she, and went on, ‘Who are you?’"
+    found = [(p.sentence_type, p.tone) for p in score(text).of(Phrase)]
+    assert found == [
+        ("statement", LOW), ("statement", CONTINUING), ("statement", CONTINUING), ("question", LOW),
+    ]  # fmt: skip
+
+
+def test_what_is_cried_out_within_a_question_does_not_ask() -> None:
+    found = [(p.sentence_type, p.tone) for p in score("Did he cry ‘Fire!’ and ‘No.’ or not?").of(Phrase)]
+    assert found == [("exclamation", LOW), ("statement", LOW), ("question", HIGH)]
+
+
 def test_inner_silences_are_pauses_told_apart_from_final_ones() -> None:
     natural = score("One, two. Three.")
     inner = [p for p in natural.of(Pause) if p.id.endswith(".pause") and "phrase" in p.id]

@@ -51,9 +51,14 @@ def test_a_rig_like_another_changes_what_it_says() -> None:
         ("[columns]\na = { from = 3 }", "rig mine: from = 3; expected a table"),
         ('[columns]\na = { from = ["jaw_open"] }', r"rig mine: from = \['jaw_open'\]; expected a table"),
         ('order = "a"\n[columns]\na = {}', "rig mine: order = 'a'; expected a list of columns"),
-        ('order = ["a", "a"]\n[columns]\na = {}', "rig mine: column 'a': expected each name once"),
-        ('[columns]\n"a,b" = {}', "rig mine: column 'a,b': expected each name once, without commas"),
-        ("[columns]\ntime = {}", "rig mine: column 'time': expected each name once"),
+        ('order = ["a", "a"]\n[columns]\na = {}', "rig mine: order names 'a' twice; expected each column once"),
+        ('[columns]\n"a,b" = {}', "rig mine: column 'a,b': expected a name without commas"),
+        ('[columns]\n"" = {}', "rig mine: column '': expected a name"),
+        ('[columns]\na = {}\n[units]\nrad = "x"', "rig mine: units: rad = 'x'; expected a number"),
+        ("[columns]\na = {}\n[units]\nrad = 0", "rig mine: units: rad = 0; expected a number above 0"),
+        ('[columns]\na = {}\n[closure]\na = "a"', "rig mine: closure: a cannot equal itself"),
+        ("[columns]\na = { from = { mouth = 1e308 } }", "a: mouth = 1e.308; expected a number, at most 1e.09"),
+        ("[columns]\ntime = {}", "rig mine: column 'time': expected a name"),
         ('like = "arkit"\norder = ["mouthClose"]', "rig mine: mouthClose closes jawOpen, which order leaves out"),
         ('[columns]\na = { from = { jaw_open = "1" } }', "rig mine: a: jaw_open = '1'; expected a number"),
         ('[columns]\na = { from = { "a * b * c" = 3 } }', "rig mine: a: from 'a' is unknown"),
@@ -74,6 +79,13 @@ def test_a_rig_like_another_changes_what_it_says() -> None:
 def test_a_broken_rig_is_refused_where_it_is_broken(text: str, words: str) -> None:
     with pytest.raises(InputError, match=words):
         read_rig("mine", text)
+
+
+def test_a_product_is_one_however_it_is_spaced() -> None:
+    text = '[columns]\na = { from = { "jaw_open%slid_left" = 1.0 } }'
+    score = only(breathe_in(duration=1.0))
+    both = (read_rig("mine", text % star).sample(curves(score), [0.5]) for star in ("*", " * "))
+    assert next(both) == next(both)
 
 
 def test_a_rig_is_found_by_name_or_path(tmp_path: Path) -> None:

@@ -59,3 +59,15 @@ def test_a_word_of_hesitation_has_neither_accent_nor_maximum(text: str) -> None:
         assert not any(accent.onset in word for accent in said.accents)
         marked = f" on {word.text!r}"
         assert {event.rule.partition(" (")[0] for event in score.events if event.rule.endswith(marked)} == {"search"}
+
+
+def test_a_question_is_one_wherever_its_group_is_placed() -> None:
+    """Its last word is often a phrase of its own: a sum of times must not fall before the phrase's beginning."""
+    with open_voice("espeak", "en") as voice:
+        score = compile_text("She went on, What is your name, child?", voice=voice, media=MemoryStore())
+    (step,) = (s for s in placed(score) if any(isinstance(e, Utterance) for e in s.events))
+    for number in range(300):
+        later = snap(number * 0.003701)
+        moved = tuple(replace(event, onset=snap(event.onset + later)) for event in step.events)
+        found = scene(replace(step, events=moved), "en").questions
+        assert [question.text for question in found] == ["child"]

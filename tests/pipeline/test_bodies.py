@@ -145,3 +145,16 @@ def test_a_child_says_less_on_a_breath_than_the_man_before(voice: Voice) -> None
         return sum(own) / len(own)
 
     assert mean("body2") < 0.9 * mean("body")
+
+
+def test_the_whole_name_of_the_first_voice_means_who_began() -> None:
+    text = "[voice espeak:en-us] One. [voice espeak:en-us+f3] Two. [voice espeak:en-us] Three. [/voice] Four."
+    with open_voice("espeak", "en") as first, open_voice("espeak:en-us+f3", "en") as second:
+        score = compile_text(text, voice=first, media=MemoryStore(), voices=lambda name: second)
+        mine = {"espeak:en-us": Parameters(vital_capacity=3.0)}
+        cast = compile_text(text, voice=first, media=MemoryStore(), voices=lambda name: second, cast=mine)
+    assert [said.body for said in sorted(score.of(Utterance), key=lambda said: said.onset)] == [
+        "body", "body2", "body", "body",
+    ]  # fmt: skip
+    assert [body.id for body in score.bodies] == ["body", "body2"]
+    assert len(cast.bodies) == 3  # somebody else, with lungs of their own

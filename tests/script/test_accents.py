@@ -149,6 +149,9 @@ def test_people_hesitate_alike_in_all_languages() -> None:
         ("de", "Von wem hab ich es?"),
         ("de", "Aber wenn es so wäre | wer wäre schuld?"),
         ("de", "Warum?"),
+        ("de", "Hallo wie geht es | wie geht es dir?"),
+        ("de", "Sag mal | was machst du da?"),
+        ("de", "Peter | wie alt bist du?"),
     ],
 )
 def test_questions_for_a_word(language: str, question: str) -> None:
@@ -167,6 +170,8 @@ def test_questions_for_a_word(language: str, question: str) -> None:
         ("de", "Warn sie noch Parallelen?"),
         ("de", "Sollte der Wecker nicht geschlagen haben?"),
         ("de", "Weißt du | wo er ist?"),
+        ("de", "Weißt du | wie alt er ist?"),
+        ("de", "Siehst du was | was geschehen ist?"),
         ("it", "Chi è?"),
         ("en", ""),
     ],

@@ -69,14 +69,16 @@ def curves(
             raise InputError(f"--rig {' --rig '.join(rig or ())}: one file holds one rig; `render` writes several")
         chosen = rig[0] if rig else None
         if describe:
-            if output != "-":
-                raise InputError(f"-o {output}: --describe prints, and writes no file; expected no -o")
+            if output != "-" or score is not None:
+                given = score if output == "-" else f"-o {output}"
+                raise InputError(f"{given}: --describe explains columns; expected no score and no -o beside it")
             _describe(printer, chosen)
             return
         if score is None:
             raise InputError("SCORE is missing: expected a score, the folder of a take, or - for stdin")
         form, choice = _chosen(chosen, kind, output, fps=fps, keys=keys, gate=closure_gate, degrees=degrees, body=body)
-        write_as(printer, score, output, form, choice, force=force, json_lines=json_lines)
+        besides = [chosen] if chosen and chosen.endswith(".toml") else []
+        write_as(printer, score, output, form, choice, force=force, json_lines=json_lines, besides=besides)
 
 
 def _describe(printer: Printer, rig: str | None) -> None:
@@ -121,13 +123,16 @@ def _chosen(
     if suffix and kind is None and suffix not in kinds:
         raise InputError(f"{output}: expected a name that ends with .{' or .'.join(kinds)}, or --format with any name")
     wanted = kind or suffix or "csv"
+    of = f" of --rig {rig}" if rig is not None else ""
     if wanted not in kinds:
-        of = f" of --rig {rig}" if rig is not None else ""
         raise InputError(f"--format {wanted}{of}: must be {' or '.join(kinds)}")
     form = kinds[wanted]
     if keys and not form.keys:
-        raise InputError(f"--keys: {form.name} has no column of times; expected a .csv of channels or another rig")
-    if degrees and form.name != "livelink.csv":
+        of = f" of --rig {rig}" if rig is not None else ""
+        raise InputError(
+            f"--keys: a {form.suffix}{of} has no column of times; expected a .csv of channels or another rig"
+        )
+    if degrees and not (rig and wanted == "csv" and rig_named(rig).kind == "livelink"):
         raise InputError("--degrees is for the .csv of --rig livelink")
     if wanted == "fap" and rate.denominator != 1:
         raise InputError(f"--fps {fps}: must be a whole number in a .fap file, such as 25 or 60")

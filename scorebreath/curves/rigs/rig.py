@@ -67,6 +67,8 @@ class Rig:
     signs: str
     """what is positive, and whose left is left"""
     table: tuple[Column, ...]
+    kind: str = ""
+    """the rig of ours that its files are like: itself, or the one whose columns and units it has; else empty"""
 
     @property
     def columns(self) -> tuple[str, ...]:

@@ -15,9 +15,8 @@ A table that is `like` another begins with that one's rows; `order` picks and so
 
 from __future__ import annotations
 
-import math
 import tomllib
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
@@ -38,6 +37,8 @@ SECTIONS = (
 )  # fmt: skip
 KEYS = ("from", "low", "high", "unit", "negative")
 SIDES = (("Left", "Right"), ("_left", "_right"), ("_l_", "_r_"))
+LARGEST = 1e9
+"""What no number of a table exceeds, so that no sum overflows."""
 Table = dict[str, Any]
 
 
@@ -89,21 +90,34 @@ def read_rig(name: str, text: str) -> Rig:
     if not isinstance(order, list):
         raise InputError(f"rig {name}: order = {order!r}; expected a list of columns")
     _known(name, "order", order, columns)
-    for each in order:
-        if order.count(each) > 1 or each == "time" or not each.isprintable() or set(each) & set(',"'):
-            raise InputError(
-                f"rig {name}: column {each!r}: expected each name once, without commas or quotes, not 'time'"
-            )
+    for place, each in enumerate(order):
+        if each in order[:place]:
+            raise InputError(f"rig {name}: order names {each!r} twice; expected each column once")
+        if not each or each == "time" or not each.isprintable() or set(each) & set(',"'):
+            raise InputError(f"rig {name}: column {each!r}: expected a name without commas or quotes, and not 'time'")
+    for unit, factor in _rows(name, document, "units").items():
+        if _number(name, f"units: {unit}", factor) <= 0.0:
+            raise InputError(f"rig {name}: units: {unit} = {factor}; expected a number above 0")
     names = document.get("names", "")
     table = tuple(_renamed(name, names, _column(name, each, document, known)) for each in order)
     if not table:
         raise InputError(f"rig {name}: [columns] is empty; expected at least one")
     for column in table:
+        if column.shuts == column.name:
+            raise InputError(f"rig {name}: closure: {column.name} cannot equal itself; expected another column")
         if column.shuts not in ("", HIGH, *(each.name for each in table)):
             raise InputError(f"rig {name}: {column.name} closes {column.shuts}, which order leaves out; expected both")
     return Rig(
         name=name, about=str(document.get("about", "")), signs=str(document.get("signs", "")), table=table,
+        kind=name if name in RIGS else _kind(document.get("like", ""), table),
     )  # fmt: skip
+
+
+def _kind(like: str, table: Sequence[Column]) -> str:
+    """The rig that a table is like, if it still has its columns and units."""
+    if like and [(each.name, each.unit) for each in table] == [(each.name, each.unit) for each in _ours(like).table]:
+        return like
+    return ""
 
 
 def _document(name: str, text: str) -> Table:
@@ -218,6 +232,6 @@ def _known(rig: str, what: str, names: Any, known: Collection[str]) -> Any:
 
 
 def _number(rig: str, what: str, value: Any) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise InputError(f"rig {rig}: {what} = {value!r}; expected a number")
+    if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) <= LARGEST:
+        raise InputError(f"rig {rig}: {what} = {value!r}; expected a number, at most {LARGEST:.0e}")
     return float(value)
