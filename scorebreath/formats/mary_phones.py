@@ -11,7 +11,7 @@ from scorebreath.equations.phones import is_nucleus, sampa_of
 from scorebreath.score.events import Phone
 
 NAMES: Mapping[str, Mapping[str, str]] = MappingProxyType(
-    {"en": {"ɹ": "r", "ɝ": "r=", "eɪ": "EI", "aɪ": "AI", "ɔɪ": "OI", "əʊ": "@U"}}
+    {"en": {"ɹ": "r", "ɝ": "r=", "eɪ": "EI", "aɪ": "AI", "ɔɪ": "OI", "əʊ": "@U", "oʊ": "@U"}}
 )
 """What MARY calls a phone in a language where that is not its X-SAMPA name; `equations.phones.MARY` reads it."""
 STRESS = ("", "'", ",")
@@ -34,10 +34,14 @@ class Syllable:
 def name_of(ipa: str, language: str) -> str:
     """A phone's name; its IPA where SAMPA has none.
 
-    >>> name_of("ʃ", "de"), name_of("ɹ", "en"), name_of("aɪ", "de")
-    ('S', 'r', 'aI')
+    >>> name_of("ʃ", "de"), name_of("ɹ", "en"), name_of("aɪ", "de"), name_of("ɪɹ", "en")
+    ('S', 'r', 'aI', 'Ir')
     """
-    return NAMES.get(language, {}).get(ipa) or sampa_of(ipa) or ipa
+    names = NAMES.get(language, {})
+    vowel = ipa.removesuffix("ɹ")
+    if vowel and vowel != ipa and "ɹ" in names:  # eSpeak's vowels coloured by what follows
+        return name_of(vowel, language) + names["ɹ"]
+    return names.get(ipa) or sampa_of(ipa) or ipa
 
 
 def written(syllables: Sequence[Syllable], language: str) -> str:

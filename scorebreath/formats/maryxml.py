@@ -109,7 +109,7 @@ def write(stream: BinaryIO, score: Score) -> None:
 
     Args:
         stream: Takes bytes.
-        score: Any Score; without words it is a document without text.
+        score: Any Score; without words it is a document without text, but for the marks of what is felt.
     """
     out = _Out(stream)
     out.text.write('<?xml version="1.0" encoding="UTF-8"?>\n')
@@ -125,8 +125,22 @@ def write(stream: BinaryIO, score: Score) -> None:
             paragraph = []
     if paragraph:
         _paragraph(out, paragraph, voices, language)
+    if not any(utterance.words for utterance in score.of(Utterance)):
+        _wordless(out, score)
     out.close("maryxml")
     out.flush()
+
+
+def _wordless(out: _Out, score: Score) -> None:
+    """What somebody feels who says nothing."""
+    felt = sorted(score.of(Emotion), key=lambda emotion: (emotion.onset + emotion.apex, emotion.id))
+    if felt:
+        out.open("p")
+        out.open("s")
+        for emotion in felt:
+            _mark(out, emotion)
+        out.close("s")
+        out.close("p")
 
 
 def _paragraph(out: _Out, words: Sequence[Said], voices: Mapping[str, str], language: str) -> None:

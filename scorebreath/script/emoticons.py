@@ -136,8 +136,8 @@ def spans(text: str, start: int = 0, end: int | None = None) -> Iterator[Span]:
 
     >>> [span.cut("Hi :-) it's a Grab: : - ( . (a:)") for span in spans("Hi :-) it's a Grab: : - ( . (a:)")]
     [':-)', ': - ( .']
-    >>> [span.cut("So (:D) I said (again :-))") for span in spans("So (:D) I said (again :-))")]
-    ['(:D)', ':-)']
+    >>> [span.cut("So (:-)) I said (again :-))") for span in spans("So (:-)) I said (again :-))")]
+    ['(:-))', ':-)']
     """
     last = len(text) if end is None else end
     behind, marked = -1, False
@@ -215,7 +215,7 @@ def _found(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
         first, stop = match.span()
         if text[stop - 2 : stop] == "))":
             line = _PATTERN.sub(" ", text[max(0, first - _NEAR) : first].rpartition("\n")[2])
-            stop -= len(_OPENED.findall(line)) > len(_CLOSED_AGAIN.findall(line))
+            stop -= line[-1:] == "(" or len(_OPENED.findall(line)) > len(_CLOSED_AGAIN.findall(line))
         yield first, stop
 
 

@@ -310,7 +310,8 @@ def test_syllables(phones: str, expected: str) -> None:
 
 @pytest.mark.parametrize("language", ["en", "de"])
 def test_sounds_read_back(language: str) -> None:
-    ipas = ("p", "ʃ", "tʃ", "ŋ", "ç", "ə", "iː", "aʊ", "ɪ", *NAMES.get(language, {}))
+    named = {name: ipa for ipa, name in reversed(NAMES.get(language, {}).items())}  # MARY has one "@U"
+    ipas = ("p", "ʃ", "tʃ", "ŋ", "ç", "ə", "iː", "aʊ", "ɪ", *named.values())
     for ipa in ipas:
         assert ipa_of(name_of(ipa, language), language) == ipa
     phones = [
@@ -319,3 +320,18 @@ def test_sounds_read_back(language: str) -> None:
     ]
     assert ipa_of(written(syllables_of(phones), language), language).replace(".", "") == "bəˈluːˌnaɪ"
     assert STRESS == ("", "'", ",")
+
+
+def test_english_names_are_mary_s() -> None:
+    found = {ipa: name_of(ipa, "en") for ipa in ("oʊ", "əʊ", "ɪɹ", "ɔːɹ", "ɹ")}
+    assert found == {"oʊ": "@U", "əʊ": "@U", "ɪɹ": "Ir", "ɔːɹ": "O:r", "ɹ": "r"}
+    assert name_of("ɪɹ", "de") == "Ir\\"
+
+
+def test_what_is_felt_without_words_is_written_and_read_back() -> None:
+    felt = compile_text(":-) ... :-( \U0001f642", voice=ToneVoice(), media=MemoryStore())
+    stream = io.BytesIO()
+    maryxml.write(stream, felt)
+    again = compile_text(stream.getvalue().decode("utf-8"), voice=ToneVoice(), media=MemoryStore())
+    assert [(e.name, e.intensity) for e in again.of(Emotion)] == [(e.name, e.intensity) for e in felt.of(Emotion)]
+    assert len(list(felt.of(Emotion))) == 3

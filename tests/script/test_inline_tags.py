@@ -260,3 +260,11 @@ def test_many_tags_at_one_place_keep_their_order() -> None:
     assert places == [
         ("[sigh]", 3), ("[gasp]", 3), ("[laugh]", 3), ("[exhale]", 9), ("[sniff]", 9), ("[hold]", 9),
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize("element", ['<emotion type="happy"/>', "<emotion/>", "<emotion type='sad' intensity='1'>"])
+def test_an_emotion_of_xml_is_not_read_out(element: str) -> None:
+    with pytest.raises(ScriptError, match=r"1:7: <emotion> in a text without <speak> or <maryxml>.*\[emotion happy\]"):
+        marked(f"Hello {element} you.")
+    assert marked(f"Hello {element} you.", markup="none").text == f"Hello {element} you."
+    assert marked("Is <emotional> a word?").text == "Is <emotional> a word?"

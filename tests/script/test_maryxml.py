@@ -383,6 +383,7 @@ def test_bytes_in_the_encoding_the_document_names(encoding: str) -> None:
         ("<maryxml><boundary duration='61s'/></maryxml>", 1, 30, ("at most 60 s",)),
         ("<maryxml><boundary>x</boundary></maryxml>", 1, 20, ("text inside <boundary>",)),
         ("<maryxml><prosody rate='quick'>x</prosody></maryxml>", 1, 25, ("rate='quick'", "+20%")),
+        ("<maryxml><emotion/>x</maryxml>", 1, 10, ("<emotion> without type", "one of happy, kidding")),
         ("<maryxml><emotion type='hapy'/>x</maryxml>", 1, 25, ("type='hapy' of <emotion>", "happy")),
         ("<maryxml><emotion type='sad' intensity='2'/>x</maryxml>", 1, 41, ("intensity='2'", "0 to 1")),
         ("<maryxml><t ph='a'/></maryxml>", 1, 10, ("its sounds alone", "word as it is written")),

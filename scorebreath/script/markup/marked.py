@@ -23,6 +23,8 @@ _BEFORE_ROOT = re.compile(
     r"\s*+(?:<\?.*?\?>|<!--.*?-->|<!DOCTYPE(?:[^>\[\"']|\"[^\"]*\"|'[^']*')*+(?:\[.*?\]\s*)?>)", re.DOTALL
 )
 _MARYXML = re.compile(rf"\s*+<{_PREFIX}maryxml[\s/>]")
+_EMOTION = re.compile(r"<emotion(?=\s[^<>]*=|\s*/?>)")
+"""Nobody means to have this read out."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,6 +72,9 @@ def marked(text: str, *, markup: Markup = "auto", language: str | None = None, f
         from scorebreath.script.markup.ssml import parse
 
         return parse(Origin(text=text, file=file), language)
+    if markup != "none" and (element := _EMOTION.search(text)):
+        problem = "<emotion> in a text without <speak> or <maryxml> around it"
+        raise Origin(text=text, file=file).error(element.start(), problem, "[emotion happy], or one of these")
     if markup == "none" or "[" not in text:
         return Marked(text=text)
     from scorebreath.script.markup.tags import find

@@ -24,6 +24,8 @@ VOCALIZATIONS: Mapping[str, ActName] = {
 """Sounds that are no words, and what the body does for them; any other is a named place in the Score."""
 EMOTION = re.compile(r"emotion\.(?P<name>[a-z]+)(?:\.(?P<percent>[0-9]{1,3}))?(?:\.[0-9]+)?")
 """A mark's name that stands for an emotion, as we write it: the published schemas have no element for one."""
+DIMENSIONS = frozenset({"activation", "evaluation", "power"})
+"""What an emotion without a name is told by; nothing is made of them."""
 BODY_PREFIX = ":"
 """What is in every name of a voice of ours, such as `espeak:de`, and in none of MaryTTS's."""
 LONGEST_POS = 32
@@ -178,8 +180,10 @@ def _mark(document: MaryDocument, attributes: Attributes) -> None:
 
 
 def _emotion(document: MaryDocument, attributes: Attributes) -> None:
-    if "type" not in attributes.values:
+    if "type" not in attributes.values and attributes.values.keys() & DIMENSIONS:
         return
+    if "type" not in attributes.values:
+        raise attributes.origin.error(attributes.place(), "<emotion> without type", emotions.expected(""))
     told = attributes.values["type"].strip()
     name = attributes.read("type", emotions.named, "", emotions.expected(told))
     intensity = attributes.read("intensity", share, 1.0, "a number from 0 to 1, or a percentage")
