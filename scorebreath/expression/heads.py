@@ -69,7 +69,8 @@ def _accent(actor: Actor, scene: Scene, peak: Peak, roll: float) -> None:
     pitch, roll = pitch * share, roll * share
     slower = 2.0 if onset < actor.memory.head_until else 1.0  # it comes back from a question at the same time
     end = max(scene.edge(peak.after, low), apex + slower * _needs(pitch, roll))
-    actor.head((onset, apex, apex, end), pitch, roll, "head at maximum", peak.why)
+    why = peak.why if share == 1.0 else f"{peak.why}, cut short"
+    actor.head((onset, apex, apex, end), pitch, roll, "head at maximum", why)
 
 
 def _at_or_before(scene: Scene, time: float) -> float:

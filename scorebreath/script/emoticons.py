@@ -93,7 +93,10 @@ _PATTERN = re.compile(
 _SIGN = re.compile(rf"[-:;=<_]|[xX]D|{_EMOJI}")
 _OPEN = re.compile(rf"{_BEGIN}(?:[oOTuUxX]_{{0,3}}|D-?:?)\Z")
 _MARKED = re.compile(r"[.!?:;,…–—][\"'”’»«“)\]]{0,3}[ \n]{0,2}$")
-_IDLE = re.compile(r"(?P<space>[ ]{0,2})[.,;:…]{1,3}(?=[\s\"'”’»«“)\]]|\Z)")
+_CLOSERS = "\"'”’»«“)\\]"
+_IDLE = re.compile(rf"(?P<space>[ ]{{0,2}})[.,;:…]{{1,3}}(?=[\s{_CLOSERS}]|\Z)")
+_GOES_ON = re.compile(rf"[ ]{{0,2}}\.(?!\.)[{_CLOSERS}]{{0,3}}[ ]{{1,2}}[a-zäöüßà-öø-ÿ]")
+"""A full stop that ends nothing: a small letter follows."""
 _APART = re.compile(r"[ \t]{1,3}|(?!\s)")
 _BEFORE = re.compile(r"(?:(?:\A|(?<=\s))[\"'“„‘«»(\[*_]*[\w'’-]*[.,!?;:…\"'”’)*_]*)$")
 """What may stand directly before an emoticon that means something: nothing, or a word with its marks."""
@@ -144,10 +147,13 @@ def spans(text: str, start: int = 0, end: int | None = None) -> Iterator[Span]:
     for first, stop in _found(text, start, last):
         marked = _marked(text, first) or (marked and not text[behind:first].strip(" \n"))
         behind = stop
-        if marked and (idle := _IDLE.match(text, stop, last)) and not _PATTERN.match(text, idle.end("space"), last):
+        going_on = marked or _GOES_ON.match(text, stop, last) is not None
+        if going_on and (idle := _IDLE.match(text, stop, last)) and not _PATTERN.match(text, idle.end("space"), last):
             behind = idle.end()
-        if first > start and behind < last and text[first - 1] + text[behind] in ("()", "[]"):
-            yield Span(first - 1, behind + 1)
+        before = first - (text[first - 1 : first] == " ") - 1
+        after = behind + (text[behind : behind + 1] == " ")
+        if start <= before and after < last and text[before] + text[after] in ("()", "[]"):
+            yield Span(before, after + 1)
         else:
             yield Span(first, behind)
 

@@ -377,11 +377,16 @@ def test_no_blink_comes_into_the_way_of_a_wink_without_words(seed: int) -> None:
     [
         ("It was so (:D) then we left.", "It was so then we left."),
         ("It was so [:-)] then we left.", "It was so then we left."),
+        ("It was so ( :-) ) then we left.", "It was so then we left."),
+        ("It was so (:-)) then we left.", "It was so then we left."),
+        ("It was so :-). then we left.", "It was so then we left."),
+        ("It was so :-) . then we left.", "It was so then we left."),
+        ("It was so :-). Then we left.", "It was so. Then we left."),
         ("We laughed (again :-)) and left.", "We laughed (again) and left."),
         ("It was fun :-)) and we left.", "It was fun and we left."),
     ],
 )
-def test_brackets_around_an_emoticon_make_no_phrase(text: str, plain: str, english: Voice) -> None:
+def test_marks_around_an_emoticon_make_no_phrase(text: str, plain: str, english: Voice) -> None:
     """A9, and the brackets of a remark that one ends stay a pair."""
     written, bare = (compile_text(each, voice=english, media=MemoryStore()) for each in (text, plain))
     assert [e.name for e in written.of(Emotion)] == ["happy"]
