@@ -310,7 +310,7 @@ def test_syllables(phones: str, expected: str) -> None:
 
 @pytest.mark.parametrize("language", ["en", "de"])
 def test_sounds_read_back(language: str) -> None:
-    named = {name: ipa for ipa, name in reversed(NAMES.get(language, {}).items())}  # MARY has one "@U"
+    named = {name: ipa for ipa, name in reversed(list(NAMES.get(language, {}).items()))}  # MARY has one "@U"
     ipas = ("p", "ʃ", "tʃ", "ŋ", "ç", "ə", "iː", "aʊ", "ɪ", *named.values())
     for ipa in ipas:
         assert ipa_of(name_of(ipa, language), language) == ipa
