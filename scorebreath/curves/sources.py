@@ -135,7 +135,7 @@ class Moments:
         turned = self.sources.looks.head(self.times)
         turned[:, 0] += self.neck_pitch
         for name, turn in EMOTION_HEAD.items():
-            turned += self.emotion(name)[:, np.newaxis] * np.asarray(turn)
+            turned += self.sources.looks.leaning(name, self.times)[:, np.newaxis] * np.asarray(turn)
         return np.clip(turned, -TURN, TURN)
 
     @cached_property

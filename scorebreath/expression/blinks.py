@@ -107,7 +107,7 @@ def speech_blinks(actor: Actor, scene: Scene, pauses: Sequence[PausePlan], comin
                 why = f"{at - _since(actor, at):.1f} s after the last one ended"
                 blink(actor, at, "need", why, looks=looks, until=scene.end, scene=scene)
             else:
-                actor.note(blink_due=_after_wink(actor, at))
+                actor.note(blink_due=max(_after_wink(actor, at), need + BETWEEN))  # or it would come back to the same
         else:
             return
 

@@ -231,3 +231,16 @@ def test_nothing_moves_faster_than_its_channel_s_limit(event: Event, names: tupl
         assert 0 < moved.max() <= limit, name
     assert FASTEST > 1.5
     assert event.type in FACE
+
+
+def test_a_sudden_emotion_turns_the_head_no_faster_than_it_goes() -> None:
+    """Its face is there at once, its pose within 0.45 s; both are gone when it is."""
+    quick = emotion("sad", 1.0, duration=1.5, apex=0.15)
+    score = score_of([quick], duration=5.0)
+    times = np.arange(0, 4, 0.001)
+    pitch, felt = curves(score).sample(times, ["head_pitch", "emotion_sad"]).T
+    assert np.max(np.abs(np.diff(pitch))) * 1000 <= 4.0 / 0.45 + 1e-6
+    assert np.all(np.abs(pitch) <= 4.0 * felt + 1e-9) and pitch.min() < -2.8
+    slow = emotion("kidding", 1.0, duration=2.0, apex=1.0)
+    roll, felt = curves(score_of([slow], duration=5.0)).sample(times, ["head_roll", "emotion_kidding"]).T
+    assert np.allclose(roll, 4.0 * felt)

@@ -10,6 +10,7 @@ import pytest
 
 from scorebreath.compose.natural import surprise
 from scorebreath.curves import curves
+from scorebreath.curves.channels import CHANNELS
 from scorebreath.media.store import MemoryStore
 from scorebreath.parameters.table import Parameters
 from scorebreath.pipeline import begin_states, compile_text, plan_script
@@ -392,3 +393,21 @@ def test_marks_around_an_emoticon_make_no_phrase(text: str, plain: str, english:
     assert [e.name for e in written.of(Emotion)] == ["happy"]
     assert len(list(written.of(Phrase))) == len(list(bare.of(Phrase)))
     assert [said.duration for said in written.of(Utterance)] == [said.duration for said in bare.of(Utterance)]
+
+
+CROWDED = (
+    "Really?! :-o Bob :-( maps; Pop ;-) pumps >:-< Mum? :-o No! Why? :-) Er, uhm, [pause 0.8] peppermint 😱 bumped "
+    "[gasp] me. Am I? :-P [sigh] Yes."
+)
+
+
+@pytest.mark.parametrize(("often", "seed"), [(3, 3), (1, 0)])
+def test_a_crowd_of_emotions_ends_and_keeps_the_speeds(often: int, seed: int, english: Voice) -> None:
+    """A blink that no wink leaves room for comes later, and is not tried at one place for ever."""
+    text = " ".join([CROWDED] * often)
+    p = Parameters(prosody_rate=2.0)
+    score = compile_text(text, voice=english, media=MemoryStore(), parameters=p, seed=seed)
+    table = [channel for channel in CHANNELS if channel.speed]
+    values = curves(score).sample(np.arange(0, score.duration, 1 / 500), [channel.name for channel in table])
+    fastest = np.abs(np.diff(values, axis=0)).max(axis=0) * 500
+    assert all(speed <= (channel.speed or 0.0) for channel, speed in zip(table, fastest, strict=True))

@@ -17,6 +17,8 @@ from scorebreath.equations.shapes import ramp, rise_and_fall, smooth_step, trape
 from scorebreath.score.document import Score
 from scorebreath.score.events import Blink, Brow, Emotion, Gaze, Head
 
+LEAN = 0.45
+"""s in which a head takes on the whole pose of an emotion, at least: 4 degrees beside a nod of 48 deg/s (e)"""
 Shape = Callable[[Array, Array, Array, Array], Array]
 
 
@@ -66,6 +68,16 @@ class Looks:
         """Intensity of an emotion: (n,) in 0..1; straight ramps (A41), equal emotions take the higher one (Y5)."""
         found = self._emotions.get(name)
         return np.zeros(len(times)) if found is None else _highest(found, times, 1, trapezoid)[:, 0]
+
+    def leaning(self, name: str, times: Array) -> Array:
+        """How much of an emotion is in the head's pose: its intensity, but no faster than a head goes; (n,) in 0..1."""
+        found = self._emotions.get(name)
+        return np.zeros(len(times)) if found is None else _highest(found, times, 1, _leaning)[:, 0]
+
+
+def _leaning(time: Array, rise: Array, hold: Array, fall: Array) -> Array:
+    slow = np.minimum(ramp(time, LEAN), ramp(rise + hold + fall - time, LEAN))
+    return np.minimum(trapezoid(time, rise, hold, fall), slow)
 
 
 def looks(score: Score, body: str) -> Looks:
