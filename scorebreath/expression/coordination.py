@@ -80,3 +80,10 @@ def plan_pause(actor: Actor, silence: Silence, key: object, *, asked: bool) -> P
 def clear(time: float, looks: Iterable[float]) -> bool:
     """Whether a blink may begin then: no glance at a pause and no search begins beside it."""
     return all(snap(abs(time - look)) > APART for look in looks)
+
+
+def beside_pauses(scene: Scene, times: Iterable[float]) -> list[float]:
+    """Of some times those at a pause: in it, or so near that a blink at it would be beside them."""
+    reach = APART + CLEAR
+    pauses = [(scene.onset, scene.onset), *((silence.onset, silence.end) for silence in scene.silences)]
+    return [time for time in times if any(low - reach <= time <= high + reach for low, high in pauses)]

@@ -14,7 +14,7 @@ from types import MappingProxyType
 from scorebreath.expression.actor import Actor
 from scorebreath.expression.blinks import speech_blinks
 from scorebreath.expression.brows import brows
-from scorebreath.expression.coordination import plan_pauses
+from scorebreath.expression.coordination import beside_pauses, plan_pauses
 from scorebreath.expression.emotion import emotion_events
 from scorebreath.expression.gaze import speech_gaze
 from scorebreath.expression.heads import SETTLE, heads
@@ -105,9 +105,9 @@ def _speak(actor: Actor, seen: Scene, following: Placed | None, over: float | No
     brows(actor, seen, held, [question.onset for question in later])
     search_brows(actor, found)
     heads(actor, seen, held)
-    speech_gaze(actor, seen, pauses, found)
+    glances = beside_pauses(seen, speech_gaze(actor, seen, pauses, found))
     plan = behind(actor, _bounds(actor, seen.end, following, over), asked=_asks(seen))
-    speech_blinks(actor, seen, pauses, plan.looks if plan else ())
+    speech_blinks(actor, seen, pauses, (*glances, *(plan.looks if plan else ())))
 
 
 def _until(question: Question, seen: Scene, after: float | None, over: float | None) -> float:

@@ -85,8 +85,10 @@ def aside(actor: Actor, draws: Sequence[float]) -> tuple[str, tuple[float, float
     raise AssertionError("the last direction takes what is left")
 
 
-def speech_gaze(actor: Actor, scene: Scene, pauses: Sequence[PausePlan], searches: Sequence[Search]) -> None:
-    """All gaze from the first sound of a group to its last."""
+def speech_gaze(
+    actor: Actor, scene: Scene, pauses: Sequence[PausePlan], searches: Sequence[Search]
+) -> list[float]:  # fmt: skip
+    """All gaze from the first sound of a group to its last; onsets of the glances at accents, s."""
     glances = _glances(actor, scene, pauses)
     runs = _runs(actor, scene, glances, searches)
     shifts = [shift for number, run in enumerate(runs) for shift in _shifts(actor, scene, run, number, glances)]
@@ -101,6 +103,7 @@ def speech_gaze(actor: Actor, scene: Scene, pauses: Sequence[PausePlan], searche
         if shift.target == "listener" and _stressed(scene, shift.at):
             eyes = nearer(eyes, actor.memory.eyes, 1.0)
         actor.gaze(after, eyes, shift.target, shift.rule, shift.why)
+    return [shift.at for shift in kept if shift.rule == "glance at accent"]
 
 
 def _stressed(scene: Scene, time: float) -> bool:

@@ -48,6 +48,11 @@ class Bounds:
         return self.speech is not None or self.over is not None or time + LOOK_AHEAD <= self.horizon
 
     @property
+    def begins(self) -> tuple[float, ...]:
+        """When speech goes on, if it does: an accent may bring a glance there."""
+        return () if self.speech is None else (self.speech,)
+
+    @property
     def last(self) -> float:
         """When it ends, s; infinity: not within `LOOK_AHEAD`."""
         return min((time for time in (self.speech, self.over) if time is not None), default=math.inf)
@@ -102,7 +107,7 @@ def _enter(actor: Actor, bounds: Bounds) -> None:
         actor.gaze(until, near_listener(actor, size, angle), "listener", "glance at pause")
     elif not actor.memory.asked:
         actor.note(run_until=min(end, bounds.since + THOUGHT), run=actor.memory.eyes)
-    looks = (*actor.memory.looks, *bounds.opening)
+    looks = (*actor.memory.looks, *bounds.opening, *bounds.begins)
     if plan.blink is not None and free(actor, plan.blink) and clear(plan.blink, looks):
         blink(actor, plan.blink, "pause", looks=looks, until=bounds.last - LONGEST)
 
@@ -113,7 +118,7 @@ def _staying(actor: Actor) -> str:
 
 def _blinks(actor: Actor, bounds: Bounds) -> None:
     """Blinks that the eyes need."""
-    looks = (*actor.memory.looks, *bounds.opening)
+    looks = (*actor.memory.looks, *bounds.opening, *bounds.begins)
     while (at := max(due(actor), bounds.since, actor.memory.blink_end + BETWEEN)) < bounds.end:
         if not bounds.ready(at) or (bounds.over is not None and at + LONGEST > bounds.over):
             return

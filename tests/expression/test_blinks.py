@@ -10,7 +10,7 @@ import pytest
 from scorebreath.equations.looking import blink_limit
 from scorebreath.expression.scene import PAUSE
 from scorebreath.parameters.face_table import FACES
-from scorebreath.score.events import Blink
+from scorebreath.score.events import Blink, Gaze, Utterance
 from tests.expression.performed import performed, ruled, scenes
 
 
@@ -62,3 +62,21 @@ def test_blinks_by_themselves_avoid_stressed_vowels() -> None:
     edges = [edge for seen in scenes(score) for edge in seen.edges]
     anywhere = sum(any(edge in vowel for vowel in stressed) for edge in edges) / len(edges)
     assert len(own) > 40 and inside <= 0.5 * anywhere
+
+
+@pytest.mark.parametrize("name", FACES)
+@pytest.mark.parametrize("seed", range(4))
+def test_at_a_pause_none_is_beside_a_glance_or_a_search(name: str, seed: int) -> None:
+    """At most one of them begins within 150 ms of another; also a glance for the accent that the pause ends with."""
+    score = performed(times=4, seed=seed, face=name)
+    sounds = sorted(
+        (said.onset + phone.onset, said.onset + phone.onset + phone.duration)
+        for said in score.of(Utterance) for phone in said.phones if phone.ipa
+    )  # fmt: skip
+    pauses = [(one[1], after[0]) for one, after in pairwise(sounds) if after[0] - one[1] >= PAUSE]
+    looks = [e.onset for e in score.of(Gaze) if e.rule.startswith(("glance at pause", "glance at accent", "search"))]
+    blinks = [blink.onset for blink in score.of(Blink)]
+    assert len(pauses) > 60 and len(looks) > 100
+    for low, high in pauses:
+        at = [[time for time in times if low - 0.15 <= time <= high + 0.15] for times in (looks, blinks)]
+        assert not [(look, blink) for look in at[0] for blink in at[1] if abs(look - blink) < 0.15 - 1e-6]
