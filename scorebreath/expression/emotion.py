@@ -22,7 +22,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from scorebreath.score.events import Blink, Emotion, Phrase, Utterance
+from scorebreath.score.events import Blink, Emotion, Phrase, Utterance, Word
 from scorebreath.script.marks import LONG_PAUSE, EmotionMark
 from scorebreath.units import snap
 
@@ -163,20 +163,36 @@ def _words(phrases: Sequence[Phrase], utterances: Sequence[Utterance]) -> list[_
         whole = _Stretch("", utterance.onset, utterance.end)
         edges = [phone.onset for phone in utterance.phones]
         edges += [utterance.phones[-1].onset + utterance.phones[-1].duration] if utterance.phones else []
-        for word in utterance.words:
-            if word.source is None:
-                continue
-            at = word.source[0]
+        for at, onset, end in (part for word in utterance.words for part in _parts(word)):
             found.append(
                 _Spoken(
                     source=at,
-                    onset=snap(utterance.onset + _nearest(edges, word.onset)),
-                    end=snap(utterance.onset + _nearest(edges, word.onset + word.duration)),
+                    onset=snap(utterance.onset + _nearest(edges, onset)),
+                    end=snap(utterance.onset + _nearest(edges, end)),
                     group=utterance.group or utterance.body,
                     phrase=next((stretch for (low, high), stretch in said if low <= at < high), whole),
                 )
             )
     return found
+
+
+def _parts(word: Word) -> Iterator[tuple[int, float, float]]:
+    """Place in the text, onset and end of a word; of several that a voice has merged, with a sign between, of each.
+
+    How they share its time follows their letters.
+    """
+    if word.source is None:
+        return
+    low, high = word.source
+    pieces = word.text.split()
+    end = word.onset + word.duration
+    if len(pieces) < 2 or high - low <= len(word.text):
+        yield low, word.onset, end
+        return
+    # the sign is taken to stand before the last of them
+    cut = word.onset + word.duration * (1.0 - len(pieces[-1]) / sum(map(len, pieces)))
+    yield low, word.onset, cut
+    yield high - len(pieces[-1]), cut, end
 
 
 def _nearest(edges: Sequence[float], time: float) -> float:

@@ -411,3 +411,16 @@ def test_a_crowd_of_emotions_ends_and_keeps_the_speeds(often: int, seed: int, en
     values = curves(score).sample(np.arange(0, score.duration, 1 / 500), [channel.name for channel in table])
     fastest = np.abs(np.diff(values, axis=0)).max(axis=0) * 500
     assert all(speed <= (channel.speed or 0.0) for channel, speed in zip(table, fastest, strict=True))
+
+
+def test_a_sign_between_words_that_the_voice_merges_stands_between_them(english: Voice) -> None:
+    """eSpeak says "I am" and "in the" as one word each; the climax is within it, at a phone's boundary (A19, A41)."""
+    score = compile_text("I :-) am happy; we were in :-( the garden.", voice=english, media=MemoryStore())
+    merged = [(said, word) for said in score.of(Utterance) for word in said.words if " " in word.text]
+    assert [word.text for _, word in merged] == ["I am", "in the"]
+    for (said, word), feeling in zip(merged, felt(score), strict=True):
+        begin = said.onset + word.onset
+        climax = feeling.onset + feeling.apex
+        assert begin + 0.02 < climax < begin + word.duration - 0.02
+        edges = [said.onset + phone.onset for phone in said.phones]
+        assert min(abs(climax - edge) for edge in edges) < 2e-6
