@@ -125,7 +125,7 @@ class _Staging(ABC):
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
         with uninterrupted(), self._undo, _told(self.target):
             if isinstance(error, OSError) and error.errno in _FULL:
-                raise error
+                raise EnvironmentFailure(f"{self.target}: cannot be written: {error.strerror}") from None
             if kind is None:
                 self._commit()
                 self._undo.pop_all()

@@ -265,3 +265,11 @@ def test_a_sound_the_disk_cannot_hold_is_not_begun(tmp_path: Path) -> None:
     assert result.exit_code == 3
     assert "GB are free" in result.stderr
     assert not (tmp_path / "out").exists()
+
+
+def test_a_full_disk_names_what_could_not_be_written(tmp_path: Path) -> None:
+    """A write that fails does not say of which file."""
+    said = r"face\.csv: cannot be written: No space left"
+    with pytest.raises(EnvironmentFailure, match=said), staged_file(tmp_path / "face.csv"):
+        raise OSError(errno.ENOSPC, "No space left on device")
+    assert not list(tmp_path.iterdir())
