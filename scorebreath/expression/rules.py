@@ -44,7 +44,7 @@ def _rows(*rows: tuple[str, str, str, str, str]) -> Mapping[str, Rule]:
 
 
 RULES: Mapping[str, Rule] = _rows(
-    ("blink at pause", "blink", "blink_at_pause", "A20", "lids blink where speech pauses for 150 ms or more"),
+    ("blink at pause", "blink", "blink_at_pause", "A20", "lids blink in a pause of 150 ms or more, or where it ends"),
     ("blink by itself", "blink", "blink_interval", "A21, Y3", "the eyes' own need; each blink restarts its clock"),
     ("double blink", "blink", "blink_double", "physiology 7.5", "some blinks come in twos"),
     ("look at the asked", "gaze", "", "A22", "eyes stay at the listener throughout a question"),

@@ -25,6 +25,8 @@ END = re.compile(r"(?<![.!?FeZ\"')_])[.!?FeZ\"')_]++")
 FORCED = "Z"
 """What the reader puts for the kind of a character that ends a sentence because markup says so."""
 
+_BEHIND = re.compile(r"[ nfx]|c?[:;]-[^ n]|[:;S][()]|cd")
+"""What may stand directly behind a sentence, in kinds: space, an emoji, or what an emoticon begins with."""
 _MARK = re.compile(r"[.!?Fe]")
 _CLOSED = re.compile(r"[.!?Fe].*[\"')]")
 _PLAIN_MARKS = re.compile(r"[\"')]*(?:\.|[!?]+)[\"')]*")
@@ -43,12 +45,12 @@ _COPY = re.compile(
 
 
 def candidate(kinds: str, run: re.Match[str], limit: int) -> bool:
-    """Whether a run of `END` may end a sentence: it has a mark, and space follows (known before `limit`)."""
+    """Whether a run of `END` may end a sentence: it has a mark, and space or an emoticon follows, before `limit`."""
     found = run.group()
     if "F" in found or FORCED in found:
         return True
     end = run.end()
-    return end < limit and kinds[end] in " nf" and _MARK.search(found) is not None
+    return end < limit and _BEHIND.match(kinds, end, limit) is not None and _MARK.search(found) is not None
 
 
 def certain(text: str, kinds: str, start: int, end: int, language: str) -> bool:

@@ -95,8 +95,9 @@ _OPEN = re.compile(rf"{_BEGIN}(?:[oOTuUxX]_{{0,3}}|D-?:?)\Z")
 _MARKED = re.compile(r"[.!?:;,…–—][\"'”’»«“)\]]{0,3}[ \n]{0,2}$")
 _CLOSERS = "\"'”’»«“)\\]"
 _IDLE = re.compile(rf"(?P<space>[ ]{{0,2}})[.,;:…]{{1,3}}(?=[\s{_CLOSERS}]|\Z)")
-_GOES_ON = re.compile(rf"[ ]{{0,2}}\.(?!\.)[{_CLOSERS}]{{0,3}}[ ]{{1,2}}[a-zäöüßà-öø-ÿ]")
-"""A full stop that ends nothing: a small letter follows."""
+_SMALL = "[ ]{1,2}[a-zß-öø-ÿ]"
+_GOES_ON = re.compile(rf"[ ]{{0,2}}(?:\.(?!\.)(?=[{_CLOSERS}]{{0,3}}{_SMALL})|[.!?…]{{1,3}}(?={_SMALL}))")
+"""Marks that end nothing: a small letter follows."""
 _APART = re.compile(r"[ \t]{1,3}|(?!\s)")
 _BEFORE = re.compile(r"(?:(?:\A|(?<=\s))[\"'“„‘«»(\[*_]*[\w'’-]*[.,!?;:…\"'”’)*_]*)$")
 """What may stand directly before an emoticon that means something: nothing, or a word with its marks."""
@@ -147,8 +148,9 @@ def spans(text: str, start: int = 0, end: int | None = None) -> Iterator[Span]:
     for first, stop in _found(text, start, last):
         marked = _marked(text, first) or (marked and not text[behind:first].strip(" \n"))
         behind = stop
-        going_on = marked or _GOES_ON.match(text, stop, last) is not None
-        if going_on and (idle := _IDLE.match(text, stop, last)) and not _PATTERN.match(text, idle.end("space"), last):
+        if on := _GOES_ON.match(text, stop, last):
+            behind = on.end()
+        elif marked and (idle := _IDLE.match(text, stop, last)) and not _PATTERN.match(text, idle.end("space"), last):
             behind = idle.end()
         before = first - (text[first - 1 : first] == " ") - 1
         after = behind + (text[behind : behind + 1] == " ")

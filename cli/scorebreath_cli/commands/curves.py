@@ -46,7 +46,7 @@ def curves(
         bool, typer.Option("--keys", help="Add rows where closures begin and end, and at very short phones.")
     ] = False,
     closure_gate: Annotated[
-        bool, typer.Option("--closure-gate/--no-closure-gate", help="Whether p, b and m shut the lips in any case.")
+        bool, typer.Option("--closure-gate/--no-closure-gate", help="Whether p, b, m, f and v touch in any case.")
     ] = True,
     degrees: Annotated[bool, typer.Option("--degrees", help="Angles of --rig livelink in degrees.")] = False,
     body: Annotated[
