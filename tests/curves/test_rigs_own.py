@@ -96,3 +96,14 @@ def test_a_rig_is_found_by_name_or_path(tmp_path: Path) -> None:
     path = tmp_path / "puppet.toml"
     path.write_text("[columns]\nmouth = { from = { mouth = 1.0 } }\n")
     assert dataclasses.replace(rig_named(str(path)), table=()).name == "puppet"
+
+
+def test_what_a_rig_s_files_are_follows_its_columns_not_its_name(tmp_path: Path) -> None:
+    path = tmp_path / "livelink.toml"
+    path.write_text('like = "livelink"\n[columns]\njawOpen = { from = { mouth = 0.9 } }\n')
+    assert rig_named(str(path)).kind == "livelink"
+    path.write_text('like = "livelink"\norder = ["mouthClose", "jawOpen"]\n')
+    assert rig_named(str(path)).kind == ""
+    path.write_text("[columns]\na = {}\n")
+    assert rig_named(str(path)).kind == ""
+    assert rig_named("livelink").kind == "livelink"

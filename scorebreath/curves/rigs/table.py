@@ -66,7 +66,7 @@ def rig_named(name: str) -> Rig:
 
 @cache
 def _ours(name: str) -> Rig:
-    return read_rig(name, _text(name))
+    return replace(read_rig(name, _text(name)), kind=name)
 
 
 def _text(name: str) -> str:
@@ -109,7 +109,7 @@ def read_rig(name: str, text: str) -> Rig:
             raise InputError(f"rig {name}: {column.name} closes {column.shuts}, which order leaves out; expected both")
     return Rig(
         name=name, about=str(document.get("about", "")), signs=str(document.get("signs", "")), table=table,
-        kind=name if name in RIGS else _kind(document.get("like", ""), table),
+        kind=_kind(document.get("like", ""), table),
     )  # fmt: skip
 
 
