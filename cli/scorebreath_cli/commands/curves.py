@@ -128,7 +128,6 @@ def _chosen(
         raise InputError(f"--format {wanted}{of}: must be {' or '.join(kinds)}")
     form = kinds[wanted]
     if keys and not form.keys:
-        of = f" of --rig {rig}" if rig is not None else ""
         raise InputError(
             f"--keys: a {form.suffix}{of} has no column of times; expected a .csv of channels or another rig"
         )
