@@ -25,8 +25,8 @@ END = re.compile(r"(?<![.!?FeZ\"')_])[.!?FeZ\"')_]++")
 FORCED = "Z"
 """What the reader puts for the kind of a character that ends a sentence because markup says so."""
 
-_BEHIND = re.compile(r"[ nfx]|c?[:;]-[^ n]|[:;S][()]|cd")
-"""What may stand directly behind a sentence, in kinds: space, an emoji, or what an emoticon begins with."""
+_BEHIND = re.compile(r"[ nfx]|c?[:;]-[^ n]|[:;S][()]")
+"""What may stand directly behind a sentence, in kinds: space, an emoji, or an emoticon with a nose or a bracket."""
 _MARK = re.compile(r"[.!?Fe]")
 _CLOSED = re.compile(r"[.!?Fe].*[\"')]")
 _PLAIN_MARKS = re.compile(r"[\"')]*(?:\.|[!?]+)[\"')]*")

@@ -253,11 +253,12 @@ class Reader:
         if start > self._at and (space := _SPACE.search(self._kinds, start, judged)):
             start = space.end()
         places = ends(self._text[start:end], self._kinds[start:end], self._language, final=final)
-        found = (start + place for place in places)
-        return [place for place in found if place > judged and (final or place <= end - AHEAD)]
+        found, least = (start + place for place in places), max(judged, self._letter - self._base)
+        return [place for place in found if place > least and (final or place <= end - AHEAD)]
 
     def _candidate(self, start: int, after: int, limit: int) -> tuple[int, int] | None:
-        """The first marks from `start` on that may end a sentence behind `after`."""
+        """The first marks from `start` on that may end a sentence behind `after`, and behind its first letter."""
+        after = max(after, self._letter - self._base)
         for run in END.finditer(self._kinds, start, limit):
             if run.end() > after and candidate(self._kinds, run, limit):
                 return run.span()

@@ -168,3 +168,13 @@ def test_what_is_given_is_final(first: str, second: str) -> None:
     given_early = reader.feed(first)
     script = try_read(first + second, "en", False)
     assert given_early == list(script.sentences if script else ())[: len(given_early)]
+
+
+def test_a_number_on_two_lines_is_said_on_one() -> None:
+    """Also in a language whose numbers are the voice's own."""
+    for language in ("fr", "en"):
+        (sentence,) = read("000000\n00", language=language).sentences
+        assert all("\n" not in word.spoken.text for word in sentence.words)
+    glued = [sentence.text for sentence in read("So.😀 Then we go.:-( Is it.<3 it", markup="none").sentences]
+    assert glued == ["So.", "Then we go.", "Is it.<3 it"]
+    assert [sentence.text for sentence in read("..😀Hello", markup="none").sentences] == ["..😀Hello"]

@@ -83,7 +83,7 @@ def _say(cluster: str, kind: str, tables: Tables) -> str:
         return "'"
     if base in ("-", "N"):
         return "-"
-    if base in ("_", "(", ")") or (base in ("/", "S") and tables.known):
+    if base in ("_", "(", ")", "n") or (base in ("/", "S") and tables.known):
         return " "
     if base in (".", ",", ":"):
         return base
