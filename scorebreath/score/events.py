@@ -36,6 +36,7 @@ from scorebreath.score.event import (
 from scorebreath.score.performing import (
     Command,
     Cut,
+    Heard,
     Marker,
     Parameter,
     WarningEvent,
@@ -63,6 +64,7 @@ __all__ = [
     "Extension",
     "Gaze",
     "Head",
+    "Heard",
     "Hold",
     "Inspiration",
     "Lead",

@@ -39,6 +39,9 @@ ROOMS: dict[str, set[str]] = {
     "engine": STORED | {"curves", "synthdefs"},
     "formats": STORED | {"curves"},
     "report": STORED | {"curves"},
+    "live": STORED
+    | {"script", "planning", "speech", "compose", "expression", "ensemble", "pipeline"}
+    | {"curves", "engine", "formats", "report"},
     "synthdefs": {"equations"},
 }
 """Room: what it may import besides itself. Nobody may import the command line."""
@@ -46,6 +49,7 @@ ROOMS: dict[str, set[str]] = {
 LIBRARIES: dict[str, set[str]] = {
     "espeakng_loader": {"scorebreath.speech"},
     "matplotlib": {"scorebreath.report"},
+    "mido": {"scorebreath.live", "scorebreath.formats"},
     "nanosynth": {"scorebreath.engine"},
     "num2words": {"scorebreath.script"},
     "numpy": {"scorebreath", "scorebreath_cli", "scorebreath_synthdefs"},
@@ -54,18 +58,32 @@ LIBRARIES: dict[str, set[str]] = {
     "pydantic": {"scorebreath.parameters", "scorebreath.score"},
     "pyphen": {"scorebreath.planning", "scorebreath.speech"},
     "pysbd": {"scorebreath.script"},
+    "pythonosc": {"scorebreath.live"},
     "rich": {"scorebreath_cli"},
     "soundfile": {"scorebreath.media", "scorebreath.report"},
     "soxr": {"scorebreath.signal"},
+    "starlette": {"scorebreath.live"},
     "supriya": {"scorebreath.engine", "scorebreath_synthdefs"},
     "typer": {"scorebreath_cli"},
+    "uvicorn": {"scorebreath.live"},
 }
 """Library: the rooms that may import it."""
 
-DISTRIBUTIONS = {"PIL": "pillow", "espeakng_loader": "espeakng-loader", "parselmouth": "praat-parselmouth"}
+DISTRIBUTIONS = {
+    "PIL": "pillow",
+    "espeakng_loader": "espeakng-loader",
+    "parselmouth": "praat-parselmouth",
+    "pythonosc": "python-osc",
+}
 """What a library is installed as, where that is another name."""
 
-LAZY = ("matplotlib", "nanosynth", "num2words", "parselmouth", "pysbd", "soundfile", "soxr", "supriya")
+BEHIND = {"python-rtmidi", "websockets"}
+"""What libraries load by themselves."""
+
+LAZY = (
+    "matplotlib", "mido", "nanosynth", "num2words", "parselmouth", "pysbd", "pythonosc", "soundfile", "soxr",
+    "starlette", "supriya", "uvicorn",
+)  # fmt: skip
 """Libraries that `import scorebreath` and `scorebreath --help` must not load."""
 
 
@@ -144,7 +162,8 @@ def test_what_is_installed_is_what_is_used() -> None:
     """The table, the imports and the dependencies in pyproject.toml name the same libraries."""
     used = {name.partition(".")[0] for module, path in MODULES.items() for _, name in imported(module, path)}
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    asked = {re.split(r"[^\w-]", line)[0] for line in project["dependencies"]}
+    lines = [*project["dependencies"], *project["optional-dependencies"]["live"]]
+    asked = {re.split(r"[^\w-]", line)[0] for line in lines} - BEHIND
     assert used - set(sys.stdlib_module_names) - set(PACKAGES) - {"__future__"} == set(LIBRARIES)
     assert asked == {DISTRIBUTIONS.get(name, name) for name in LIBRARIES}
 

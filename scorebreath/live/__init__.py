@@ -1,0 +1,1 @@
+"""A performance as it happens: performer, clock, controls (OSC, MIDI), streams of curves."""
