@@ -9,6 +9,7 @@ from typing import Any, ClassVar, Literal, TypeVar
 from pydantic import ConfigDict
 
 from scorebreath.errors import ScoreError, shortened
+from scorebreath.score.cutting import check_targets
 from scorebreath.score.events import Event, Extension, Part, Phrase, SentenceType, Utterance
 from scorebreath.score.values import FORWARD, SHARE, Gridded, Limits, Number, Whole, limits
 from scorebreath.units import snap
@@ -121,7 +122,8 @@ class Score(Gridded):
     """Text become timed events: everything anyone hears or sees comes from this.
 
     Raises:
-        ScoreError: An id is used twice, or an event names a body, group or media that is not there.
+        ScoreError: An id is used twice, or an event names a body, group or media that is not there, or cuts what it
+            cannot cut.
     """
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
@@ -163,6 +165,7 @@ class Score(Gridded):
                 raise ScoreError(
                     f"event {event.id!r} names media {shortened(event.media)!r}, which the score does not list"
                 )
+        check_targets(self.events)
 
     def _sources(self) -> Iterator[tuple[str, tuple[int, int]]]:
         """Every range of the text that is named, and by whom."""
