@@ -19,6 +19,7 @@ from scorebreath.score.events import (
     EVENTS,
     Blink,
     Brow,
+    Cut,
     Emotion,
     Event,
     Gaze,
@@ -179,4 +180,9 @@ def scores(draw: st.DrawFn) -> Score:
         dataclasses.replace(event, id=f"e{n}", group=event.group if event.group in known else None)
         for n, event in enumerate(draw(st.lists(events, max_size=5)))
     ]
-    return dataclasses.replace(score, events=tuple(placed))
+    others = tuple(event.id for event in placed if not isinstance(event, Cut))
+    cut = [
+        dataclasses.replace(event, targets=others[: len(event.targets)]) if isinstance(event, Cut) else event
+        for event in placed
+    ]
+    return dataclasses.replace(score, events=tuple(cut))
