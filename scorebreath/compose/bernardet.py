@@ -79,6 +79,18 @@ def rest(state: BodyState, until: float, what: str) -> tuple[BodyState, list[Eve
     return replace(state, time=max(state.time, until)), []
 
 
+def idle(state: BodyState) -> tuple[BodyState, list[Event]]:
+    """Nothing, for a second (X15), unless something is left in the lungs."""
+    if state.volume == 0.0:
+        return replace(state, time=snap(state.time + RELAXATION)), []
+    placer = Placer(
+        state=replace(state, waits=state.waits + 1), id=f"{state.body}.idle{state.waits or ''}",
+        chances=Chances(seed=state.seed, body=state.body, place=f"idle@{state.waits}"), feels=feel,
+    )  # fmt: skip
+    relax(placer, RELAXATION)
+    return placer.done()
+
+
 def act(state: BodyState, marks: tuple[Mark, ...], what: str) -> tuple[BodyState, list[Event]]:
     """Do what the markup asks for, without anything to say."""
     if not marks:

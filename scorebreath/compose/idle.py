@@ -33,6 +33,8 @@ QUIETER = -10.0
 """dB of an expiration against an inspiration of equal flow (physiology 3.2: -8; rarely audible at rest)."""
 HEARD = 0.06
 """Volume, fraction of VC, from which on the way back to rest is a breath to be heard."""
+NEAR_REST = 0.01
+"""Distance from the resting level, fraction of VC, that is as good as none."""
 SINKING = Air(kind="exhale", extra_db=QUIETER, trapezoid=(0.12, 0.7))
 """The sound of air that leaves a chest at ease."""
 
@@ -60,6 +62,24 @@ def wait(placer: Placer, until: float, rule: str = "") -> None:
         count += 1
     placer.chances = base
     placer.state = replace(placer.state, waits=placer.state.waits + count)
+
+
+def breathe(placer: Placer) -> None:
+    """Go on at rest, nobody knows for how long: back to the resting level, or one breath more."""
+    placer.feel()
+    rule = "physiology 1.6: at rest"
+    if abs(placer.volume - placer.levels.rest) > NEAR_REST:
+        relax(placer, RELAXATION)
+        return
+    base = placer.chances
+    placer.chances = _at(base, placer, 0)
+    cycle = 60.0 / (placer.p.resting_rate * placer.modifiers.rate)
+    drawn = cycle * placer.chances.about("rest.length", 1.0, placer.modifiers.variation)
+    begun = placer.time
+    _cycle(placer, snap(placer.time + drawn), cycle)
+    if placer.time - begun <= NOTHING:
+        placer.hold("rest", drawn, rule=rule)
+    placer.chances = base
 
 
 def relax(placer: Placer, length: float) -> None:

@@ -29,12 +29,19 @@ class BreathingModel:
     """what it does until a time while it has nothing to say; the text names what for"""
     act: Callable[[BodyState, tuple[Mark, ...], str], tuple[BodyState, list[Event]]]
     """does what markup asks for that belongs to no group"""
+    idle: Callable[[BodyState], tuple[BodyState, list[Event]]]
+    """a breath's time more at rest, while nobody knows for how long"""
     has_states: bool = False
     """whether moods and efforts move its breath"""
 
 
 _BERNARDET = BreathingModel(
-    person=bernardet.person, step=bernardet.step, finish=bernardet.finish, rest=bernardet.rest, act=bernardet.act
+    person=bernardet.person,
+    step=bernardet.step,
+    finish=bernardet.finish,
+    rest=bernardet.rest,
+    act=bernardet.act,
+    idle=bernardet.idle,
 )
 
 MODELS: Mapping[str, BreathingModel] = MappingProxyType(
@@ -47,6 +54,7 @@ MODELS: Mapping[str, BreathingModel] = MappingProxyType(
             finish=natural.finish,
             rest=natural.rest,
             act=natural.act,
+            idle=natural.idle,
             has_states=True,
         ),
     }

@@ -15,7 +15,7 @@ from scorebreath.compose import acts, marked, parts, timing
 from scorebreath.compose.acts import Asked, asked
 from scorebreath.compose.chances import Chances
 from scorebreath.compose.feeling import Feeling
-from scorebreath.compose.idle import NOTHING, RELAXATION, wait
+from scorebreath.compose.idle import NOTHING, RELAXATION, breathe, wait
 from scorebreath.compose.lungs import TOP, initiation, levels
 from scorebreath.compose.phrasing import phrase
 from scorebreath.compose.placer import Placer
@@ -99,6 +99,13 @@ def rest(state: BodyState, until: float, what: str) -> tuple[BodyState, list[Eve
         return state, []
     placer = _alone(state, what)
     wait(placer, until)
+    return placer.done()
+
+
+def idle(state: BodyState) -> tuple[BodyState, list[Event]]:
+    """Breathe at rest, a breath at a time, while nobody knows for how long."""
+    placer = _alone(state, "idle")
+    breathe(placer)
     return placer.done()
 
 

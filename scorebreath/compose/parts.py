@@ -55,6 +55,7 @@ def trapezoid_noise(state: BodyState, spoken: Spoken, *, onset: float, length: f
         level_db=snap(state.parameters.breath_level - default_mix()),
         seed=chance.engine_seed(state.seed, state.body, "inspiration.noise", spoken.place),
         **sources(state, spoken.place, "mouth"),
+        brightness=snap(state.parameters.breath_brightness),
     )
 
 

@@ -24,6 +24,8 @@ INITIAL_DB = -3.0
 """Breaths that begin speech against those within it (physiology 3.2; Werner 2021)."""
 LOUDEST_DB, FAINTEST_DB = -6.0, -52.0
 """A breath is never louder against speech (physiology 3.2), and not worth playing when fainter."""
+BRIGHTEST = 4.0
+"""x the brightness of a breath with the reference flow, at most."""
 DELAY = 0.04
 """s of flow too slow to be heard, before the noise begins (physiology 1.4, 8)."""
 PEAK = 0.40
@@ -84,7 +86,7 @@ def noise(state: BodyState, m: Modifiers, chances: Chances, air: Air, *, purpose
         seed=chances.noise(purpose),
         **sources(state, chances.place, air.kind),
         envelope="flow" if air.trapezoid is None and p.breath_envelope == "flow" else "trapezoid",
-        brightness=snap(brightness(air.flow, REFERENCE_FLOW) * m.brightness),
+        brightness=snap(min(BRIGHTEST, brightness(air.flow, REFERENCE_FLOW) * m.brightness * p.breath_brightness)),
     )
 
 

@@ -35,13 +35,16 @@ SHOWN: tuple[tuple[type[Event], str], ...] = (
 """Events that are seen, and the parameter that says whether (A60)."""
 
 
-def express(state: FaceState, placed: Placed, *, over: float | None = None) -> tuple[FaceState, list[Event]]:
+def express(
+    state: FaceState, placed: Placed, *, over: float | None = None, hurry: bool = False
+) -> tuple[FaceState, list[Event]]:
     """Decide what the face does, as far as it can be known: up to the group before the last one.
 
     Args:
         state: The face until now.
         placed: What compose has placed since.
         over: s; the time at which all is over: everything is decided up to there. None: more will come.
+        hurry: Nobody knows what follows, and the last group is about to begin: decide it as if silence followed.
 
     Returns:
         The face afterwards, and its events; none lies before the `time` that `state` was decided up to, but for
@@ -60,7 +63,8 @@ def express(state: FaceState, placed: Placed, *, over: float | None = None) -> t
             _forward(actor, max(actor.memory.silent, begins - UPBEAT))
             actor.note(silent=None, numbers=MappingProxyType({}), place=waiting[0].place, group=_group(waiting[0]))
         following = waiting[1] if len(waiting) > 1 else None
-        if following is None and over is None and actor.memory.horizon < last_sound(waiting[0]) + LOOK_AHEAD:
+        known = following is not None or over is not None or hurry
+        if not known and actor.memory.horizon < last_sound(waiting[0]) + LOOK_AHEAD:
             break
         seen = scene(waiting[0], state.language)
         felt += _emotions(actor, waiting[0], following, over)

@@ -232,6 +232,10 @@ class BreathTable(BaseModel):
     breath_motion: bool = row(
         True, "Whether breaths are seen; times stay as they are", level="output", source="E1, B62", cc=117
     )
+    breath_brightness: float = row(
+        1.0, "Brightness of breaths: x their resonances and tilt, on top of what flow and states do", low=0.5, high=2,
+        level="output", source="physiology 3.4; for performers", cc=118,
+    )  # fmt: skip
     period_marker: Literal["bare", "sentence"] = row(
         "bare", "What the Bernardet models take as the marker '.': every full stop, or the end of a sentence",
         level="low", source="B19, X10",

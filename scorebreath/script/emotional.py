@@ -42,18 +42,40 @@ def with_breathing(script: Script, share: float, begun: Sequence[StateMark] = ()
 
 def breathing(sentences: Iterable[Sentence], share: float, begun: Sequence[StateMark] = ()) -> Iterator[Sentence]:
     """The same, sentence by sentence: each is given when the next one is known."""
-    walk = _Walk(share=share)
-    walk.own(begun)
-    waiting: _Sentence | None = None
+    moods = Moods(share, begun)
     for sentence in sentences:
-        here = _Sentence(sentence)
-        walk.go(here, waiting)
-        if waiting:
-            yield waiting.whole()
-        waiting = here
-    if waiting:
-        walk.end(waiting)
-        yield waiting.whole()
+        yield from moods.feed(sentence)
+    yield from moods.finish()
+
+
+class Moods:
+    """The same, as sentences come.
+
+    Args:
+        share: As for `with_breathing`.
+        begun: As for `with_breathing`.
+    """
+
+    def __init__(self, share: float, begun: Sequence[StateMark] = ()) -> None:
+        """Stand before the text."""
+        self._walk = _Walk(share=share)
+        self._walk.own(begun)
+        self._waiting: _Sentence | None = None
+
+    def feed(self, sentence: Sentence) -> list[Sentence]:
+        """Take one sentence; give the one before it."""
+        here, last = _Sentence(sentence), self._waiting
+        self._walk.go(here, last)
+        self._waiting = here
+        return [last.whole()] if last else []
+
+    def finish(self) -> list[Sentence]:
+        """Nothing more comes for now: give what is left, with no state on."""
+        last, self._waiting = self._waiting, None
+        if last is None:
+            return []
+        self._walk.end(last)
+        return [last.whole()]
 
 
 def rest(marks: Sequence[Mark], least: float = LONG_PAUSE) -> int | None:
@@ -182,6 +204,7 @@ class _Walk:
         if self.now:
             marks = last.marks[-1]
             marks.insert(0, _end(self.now, marks[0].at if marks else last.words[-1].source.end))
+            self.now = None
 
 
 def _ends(word: ScriptWord) -> bool:

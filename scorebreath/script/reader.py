@@ -81,6 +81,7 @@ class Reader:
         ends: Places of characters that end a sentence whatever they look like, ascending.
         marks: What the markup asks for, ascending; like the places, there before the text that they stand in.
         told: What MaryXML tells of words, each at a place of one of the word's letters, ascending; there as well.
+        start: Place of the text's beginning; all places count from 0 of a larger text.
 
     Raises:
         ScriptError: `language` is no language tag.
@@ -95,20 +96,19 @@ class Reader:
         ends: Sequence[int] = (),
         marks: Sequence[Mark] = (),
         told: Sequence[tuple[int, Told]] = (),
+        start: int = 0,
     ) -> None:
         """Start with an empty text."""
         self._language = primary(language)
         self._poem = poem
         self._told = (turns, "f"), (ends, FORCED)
-        self._marks = marks
-        self._knowledge = told
+        self._marks, self._knowledge = marks, told
         self._marked = 0  # marks that are given
-        self._gatherer = Gatherer()
-        self._letter = 0  # place of the next sentence's first letter
+        self._gatherer = Gatherer(done=start)
+        self._letter = start  # place of the next sentence's first letter
         self._text = self._kinds = self._carry = ""
-        self._base = 0  # place of the buffer in the text
-        self._at = 0  # what lies before is done with
-        self._inside = False  # a sentence starts at `_at`; else a gap goes on there
+        self._base = start  # place of the buffer in the text
+        self._at, self._inside = 0, False  # what lies before is done with; a sentence starts there, or a gap goes on
         self._ends: list[int] = []  # where the next sentences end
         self._complete = True  # whether those are ends of sentences
         self._raw: _Raw | None = None
