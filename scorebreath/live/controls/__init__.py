@@ -1,0 +1,1 @@
+"""Hands on a performance: OSC and MIDI, turned into what a desk understands."""
