@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from scorebreath.curves.strokes import Strokes, VolumeEvent, strokes
-from scorebreath.curves.tracks import Array, Index, Mask, Track, track
-from scorebreath.score.document import Person, Score
+from scorebreath.curves.tracks import Acts, Array, Index, Mask, Track, track
+from scorebreath.score.document import Person
 from scorebreath.score.events import EVENTS, Expiration, Hold, Inspiration
 
 LEAD = EVENTS[Inspiration.type][1].lead
@@ -95,7 +95,7 @@ class Breathing:
         return value
 
 
-def breathing(score: Score, body: str, person: Person) -> Breathing:
+def breathing(score: Acts, body: str, person: Person) -> Breathing:
     """Gather the volume events of one body.
 
     Raises:

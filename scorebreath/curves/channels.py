@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from scorebreath.curves.sources import Moments
+from scorebreath.curves.moments import Moments
 from scorebreath.curves.tracks import Array
 from scorebreath.score.acting import EMOTIONS
 from scorebreath.units import FLOOR_DB
@@ -72,7 +72,7 @@ CHANNELS: tuple[Channel, ...] = (
     ),
     Channel(
         "nostril_flare", "", 0, 1, True, "nostrils flared while breathing",
-        lambda m: m.sources.nostrils.sample(m.times),
+        lambda m: m.nostrils,
     ),
     Channel(
         "mouth_open", "", 0, 1, True, "mouth opened to breathe (not to speak)",

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from scorebreath.curves.channels import CHANNELS, Channel
-from scorebreath.curves.sources import Moments, Sources, sources
-from scorebreath.curves.tracks import Array
+from scorebreath.curves.lips.visemes import VISEMES
+from scorebreath.curves.moments import Moments
+from scorebreath.curves.scenes import Scenes
+from scorebreath.curves.sources import Sources
+from scorebreath.curves.tracks import Array, Index
 from scorebreath.errors import InputError
 from scorebreath.score.document import Body, Score
 
@@ -25,7 +29,8 @@ class CurveSet:
     """s, of the Score"""
     table: tuple[Channel, ...]
     """what each channel means"""
-    sources: Sources
+    scenes: Scenes
+    """the body's events, as they hold between cuts"""
     closure_gate: bool = True
     """whether p, b and m shut the lips whatever else opens them; False: Cohen and Massaro's plain sum"""
 
@@ -33,6 +38,11 @@ class CurveSet:
     def channels(self) -> tuple[str, ...]:
         """Names, in the order of the columns."""
         return tuple(channel.name for channel in self.table)
+
+    @property
+    def sources(self) -> Sources:
+        """The body's events as they hold until the first cut."""
+        return self.scenes.sources(0)
 
     def sample(self, times: ArrayLike, names: Sequence[str] | None = None) -> Array:
         """Values at any times: any rate, any window, any order; each depends on its own time alone.
@@ -42,17 +52,17 @@ class CurveSet:
             names: Channels wanted, in this order; all when left out.
 
         Returns:
-            (n, channels) float64, in the units of `table`. Costs O(n log events).
+            (n, channels) float64, in the units of `table`. Costs O(n log events + cuts among them).
 
         Raises:
             InputError: A name is no channel, or a time is not a finite number.
         """
         at = _moments(times)
-        moments = Moments(self.sources, at, closure_gate=self.closure_gate)
         wanted = self.table if names is None else tuple(self.channel(name) for name in names)
         values = np.empty((len(at), len(wanted)))
-        for column, channel in enumerate(wanted):
-            values[:, column] = channel.at(moments)
+        for rows, moments in self._epochs(at):
+            for column, channel in enumerate(wanted):
+                values[rows, column] = channel.at(moments)
         return values
 
     def contact(self, times: ArrayLike) -> Array:
@@ -61,7 +71,11 @@ class CurveSet:
         Raises:
             InputError: A time is not a finite number.
         """
-        return self.sources.lips.closures.sample(_moments(times))
+        at = _moments(times)
+        values = np.empty(len(at))
+        for rows, moments in self._epochs(at):
+            values[rows] = moments.contact
+        return values
 
     def visemes(self, times: ArrayLike) -> Array:
         """How much is shown of each of `lips.visemes.VISEMES`: (n, 15), adding up to 1.
@@ -69,7 +83,22 @@ class CurveSet:
         Raises:
             InputError: A time is not a finite number.
         """
-        return self.sources.lips.visemes.sample(_moments(times))
+        at = _moments(times)
+        values = np.empty((len(at), len(VISEMES)))
+        for rows, moments in self._epochs(at):
+            values[rows] = moments.visemes
+        return values
+
+    def _epochs(self, at: Array) -> Iterator[tuple[slice | Index, Moments]]:
+        """The times by the epochs they are in: which of them, and those moments."""
+        if len(self.scenes) == 1:
+            yield slice(None), self.scenes.moments(0, at, closure_gate=self.closure_gate)
+            return
+        number = np.searchsorted(self.scenes.cuts, at, side="right")
+        order = np.argsort(number, kind="stable")
+        for rows in np.split(order, np.flatnonzero(np.diff(number[order])) + 1):
+            if rows.size:
+                yield rows, self.scenes.moments(int(number[rows[0]]), at[rows], closure_gate=self.closure_gate)
 
     def channel(self, name: str) -> Channel:
         """The table's row of that name.
@@ -90,27 +119,32 @@ def _moments(times: ArrayLike) -> Array:
     return np.ascontiguousarray(at)
 
 
-def curves(score: Score, body: str | None = None, *, closure_gate: bool = True) -> CurveSet:
+def curves(score: Score, body: str | None = None, *, closure_gate: bool = True, since: float = -math.inf) -> CurveSet:
     """The curves of one body of a Score.
 
     They are closed forms of the events: an event changes nothing outside `[onset - lead, end + lag]`, and outside
-    any breath the lungs are at the body's resting volume.
+    any breath the lungs are at the body's resting volume. A cut changes nothing before its onset; behind it the lungs
+    go on from the volume there is, and everything else from where it was (`epochs`, `settling`).
 
     Args:
         score: Any Score; it is read once, in time linear in its events.
         body: Whose curves; may be left out where the Score has one body.
         closure_gate: Whether p, b and m shut the lips whatever else opens them.
+        since: s; what is cut off before is looked at when it is sampled, not now: a performance samples its present.
 
     Raises:
         InputError: There is no such body, or it must be named.
         ScoreError: Breaths or utterances of the body overlap, or an event leaves its own reach.
     """
     chosen = _choose(score, body)
+    scenes = Scenes(score, chosen)
+    for number in range(int(np.searchsorted(scenes.cuts, since, side="right")), len(scenes)):
+        scenes.sources(number)
     return CurveSet(
         body=chosen.id,
         duration=score.duration,
         table=CHANNELS,
-        sources=sources(score, chosen),
+        scenes=scenes,
         closure_gate=closure_gate,
     )
 

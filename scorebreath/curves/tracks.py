@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Generic, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,17 @@ E = TypeVar("E", bound=Event)
 
 TOUCH = 1.5 / GRID
 """s; events this close touch: onset and duration are each rounded to the grid, their sum may miss the next onset."""
+
+
+class Acts(Protocol):
+    """Events of some bodies: a Score, or a part of one."""
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """In any order."""
+
+    def of(self, kind: type[E], body: str | None = None) -> Iterator[E]:
+        """Events of one type, of one body or of all."""
 
 
 @dataclass(frozen=True, slots=True)

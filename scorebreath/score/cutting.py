@@ -9,12 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
+from typing import TypeVar
 
 from scorebreath.errors import ScoreError, shortened
 from scorebreath.score.event import Event
 from scorebreath.score.performing import Cut
 from scorebreath.score.speaking import Level, Phone, Pitch, Utterance, Word
 from scorebreath.units import snap
+
+E = TypeVar("E", bound=Event)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, order=True)
@@ -53,6 +56,21 @@ def end_of(event: Event, ends: Mapping[str, Ending]) -> float:
     """When an event is over, s from the Score's start: at its own end or where it is cut, never before its onset."""
     ending = ends.get(event.id)
     return snap(event.end) if ending is None else max(event.onset, min(snap(event.end), ending.time))
+
+
+def never(event: Event, ends: Mapping[str, Ending]) -> bool:
+    """Whether a cut keeps an event from happening at all."""
+    return event.id in ends and ends[event.id].prevents(event)
+
+
+def cut_short(event: E, ends: Mapping[str, Ending]) -> E:
+    """The event with its duration as far as it lasts, whatever else it says; itself where nothing cuts it short.
+
+    Only for events whose other numbers need not fit into the duration, such as utterances.
+    """
+    if event.id not in ends or not ends[event.id].shortens(event):
+        return event
+    return replace(event, duration=snap(ends[event.id].time - event.onset))
 
 
 def check_targets(events: Iterable[Event]) -> None:

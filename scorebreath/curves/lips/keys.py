@@ -26,12 +26,19 @@ def key_times(curve_set: CurveSet, duration: float, fps: Fraction) -> Array:
     """
     count = round(duration * GRID) * fps.numerator // (GRID * fps.denominator) + 1
     frames = np.asarray(np.arange(count) * fps.denominator / fps.numerator)
-    lips = curve_set.sources.lips
-    edges = [lips.closures.begin, lips.closures.end, lips.tucks.begin, lips.tucks.end]
-    added = snap_array(np.concatenate([*edges, _missed(lips.string.phone, fps)]))
+    added = snap_array(np.concatenate([_between(curve_set, number, fps) for number in range(len(curve_set.scenes))]))
     added = np.unique(added[(added >= 0.0) & (added <= duration)])
     beside = added[~np.isin(_micros(added), _micros(frames))]
     return np.sort(np.concatenate([frames, beside]))
+
+
+def _between(curve_set: CurveSet, number: int, fps: Fraction) -> Array:
+    """Moments beside the frames in one of the epochs that cuts make."""
+    lips = curve_set.scenes.sources(number).lips
+    edges = [lips.closures.begin, lips.closures.end, lips.tucks.begin, lips.tucks.end]
+    found = np.concatenate([*edges, _missed(lips.string.phone, fps)])
+    begin, end = curve_set.scenes.window(number)
+    return np.asarray(found[(found >= begin) & (found < end)])
 
 
 def _missed(phones: Array, fps: Fraction) -> Array:

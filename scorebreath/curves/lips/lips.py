@@ -12,9 +12,8 @@ from scorebreath.curves.lips.strings import GONE, WHOLE, PhoneString, phone_stri
 from scorebreath.curves.lips.targets import CLOSE, JAW, LIP_CHANNELS, TUCK, targets
 from scorebreath.curves.lips.visemes import Visemes, visemes
 from scorebreath.curves.nose_and_mouth import face_shape
-from scorebreath.curves.tracks import Array, Index, track
+from scorebreath.curves.tracks import Acts, Array, Index, track
 from scorebreath.equations.dominance import dominance
-from scorebreath.score.document import Score
 from scorebreath.score.events import Expiration, Inspiration, Utterance
 from scorebreath.units import GRID
 
@@ -135,7 +134,7 @@ def _fade(away: Array) -> Array:
     return ease((GONE - away) / (GONE - WHOLE))
 
 
-def lips(score: Score, body: str) -> Lips:
+def lips(score: Acts, body: str) -> Lips:
     """Gather the utterances of one body.
 
     Raises:

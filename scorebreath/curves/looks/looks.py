@@ -12,9 +12,8 @@ from types import MappingProxyType
 import numpy as np
 
 from scorebreath.curves.looks.layers import Layers, layers
-from scorebreath.curves.tracks import Array, Track, track
+from scorebreath.curves.tracks import Acts, Array, Track, track
 from scorebreath.equations.shapes import ramp, rise_and_fall, smooth_step, trapezoid
-from scorebreath.score.document import Score
 from scorebreath.score.events import Blink, Brow, Emotion, Gaze, Head
 
 LEAN = 0.45
@@ -80,7 +79,7 @@ def _leaning(time: Array, rise: Array, hold: Array, fall: Array) -> Array:
     return np.minimum(trapezoid(time, rise, hold, fall), slow)
 
 
-def looks(score: Score, body: str) -> Looks:
+def looks(score: Acts, body: str) -> Looks:
     """Gather the face's events of one body.
 
     Raises:

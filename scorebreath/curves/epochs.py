@@ -1,0 +1,123 @@
+"""A body's time divided by its cuts: in each part the events that were known then, and hold.
+
+A cut changes nothing before its own time. So until then everything goes on as if it did not come: what would have been
+said is seen coming, and what is done in its place is not. From the cut on, what it ended is gone, its targets are as
+if they had ended there or had never been, and what is seen goes on from where it was (`settling`). Air goes on at
+once: the next breath begins at the cut, from the volume that there is; where none does, the breath is held.
+
+A cut knows what stands before it in the Score (a performance only ever appends), and what it ends.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
+
+from scorebreath.curves.tracks import E
+from scorebreath.score.cutting import Ending, beginning, endings
+from scorebreath.score.document import Score
+from scorebreath.score.events import EVENTS, Cut, Event, Utterance
+from scorebreath.units import snap
+
+REACH = 2 * max(max(reach.lead, reach.lag) for _, reach in EVENTS.values())
+"""s around an epoch within which events are kept; twice as far as they reach."""
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """Some events of a Score, in its order."""
+
+    events: tuple[Event, ...]
+
+    def of(self, kind: type[E], body: str | None = None) -> Iterator[E]:
+        """Events of one type, of one body or of all."""
+        return (e for e in self.events if isinstance(e, kind) and (body is None or e.body == body))
+
+
+class Barrier(NamedTuple):
+    """What a cut knows."""
+
+    place: int
+    """of the cut among the Score's events"""
+    targets: frozenset[str]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Epochs:
+    """The parts that cuts divide a body's time into."""
+
+    cuts: tuple[float, ...]
+    """s, ascending: where an epoch ends and the next one begins"""
+    known: tuple[Known, ...]
+    """one more"""
+
+    def window(self, number: int) -> tuple[float, float]:
+        """From when to when an epoch is: from its cut until before the next one, s."""
+        begin = self.cuts[number - 1] if number else -float("inf")
+        return begin, self.cuts[number] if number < len(self.cuts) else float("inf")
+
+
+def barriers(score: Score, body: str) -> Mapping[float, list[Barrier]]:
+    """The cuts of a body by their times, ascending; those that end nothing are left out."""
+    found: dict[float, list[Barrier]] = {}
+    for place, event in enumerate(score.events):
+        if isinstance(event, Cut) and event.body == body and event.targets:
+            found.setdefault(event.onset, []).append(Barrier(place, frozenset(event.targets)))
+    return {time: found[time] for time in sorted(found)}
+
+
+def epochs(score: Score, body: str) -> Epochs:
+    """Divide a body's time, in time linear in events and cuts, as far as events do not last over many cuts."""
+    cuts = barriers(score, body)
+    times, walls = list(cuts), list(cuts.values())
+    ends = endings(score.events)
+    newest = [-1]  # place of the newest cut before each epoch: older ones behind it no longer hide what it brings
+    for wall in walls:
+        newest.append(max(newest[-1], *(barrier.place for barrier in wall)))
+    parts: list[list[Event]] = [[] for _ in range(len(cuts) + 1)]
+    for place, event in enumerate(score.events):
+        if event.body != body or isinstance(event, Cut):
+            continue
+        ending = ends.get(event.id)
+        first = bisect_left(times, event.onset - REACH)
+        last = bisect_right(times, snap(event.end) + REACH)
+        stop = len(times) if ending is None else bisect_left(times, ending.time)  # the last epoch before it is cut
+        begun = bisect_right(times, event.onset)
+        for number in range(first, min(last, stop) + 1):
+            ahead = (barrier for wall in walls[number:begun] for barrier in wall)
+            if all(_knows(barrier, place, event.id) or newest[number] > barrier.place for barrier in ahead):
+                parts[number].append(event)
+        if ending is not None and not ending.prevents(event):
+            left = _left(event, ending)
+            if left is not None:
+                behind = bisect_right(times, max(snap(left.end), ending.time) + REACH)
+                for number in range(stop + 1, behind + 1):
+                    parts[number].append(left)
+    known = [Known(_apart(part, ends, begin)) for part, begin in zip(parts, [-float("inf"), *times], strict=True)]
+    return Epochs(cuts=tuple(times), known=tuple(known))
+
+
+def _knows(cut: Barrier, place: int, name: str) -> bool:
+    """Whether a cut knows an event that would begin behind it."""
+    return place < cut.place or name in cut.targets
+
+
+def _left(event: Event, ending: Ending) -> Event | None:
+    """What is left of an event behind its cut: what had ended by itself, and lips go on while a voice fades out."""
+    if not ending.shortens(event):
+        return event
+    return beginning(event, ending.time + ending.fade) if isinstance(event, Utterance) else None
+
+
+def _apart(events: Sequence[Event], ends: Mapping[str, Ending], begin: float) -> tuple[Event, ...]:
+    """What has been said and fades out stops where the next utterance begins."""
+    said = sorted((e for e in events if isinstance(e, Utterance)), key=lambda e: (e.onset, e.end))
+    late = {
+        one.id: beginning(one, two.onset)
+        for one, two in pairwise(said)
+        if one.onset < two.onset < snap(one.end) and one.id in ends and ends[one.id].time <= begin
+    }
+    return tuple(late.get(event.id, event) for event in events) if late else tuple(events)
