@@ -59,11 +59,17 @@ class Performer:
         """All is over."""
         self._express([], None, (), over=time)
 
+    def hurry(self) -> None:
+        """What it says last is about to begin, and nobody knows what follows: its face decides as if nothing did."""
+        self._express([], None, (), hurry=True)
+
     def _express(
-        self, placed: list[Event], spoken: Spoken | None, felt: tuple[EmotionMark, ...], over: float | None = None
-    ) -> None:
+        self, placed: list[Event], spoken: Spoken | None, felt: tuple[EmotionMark, ...], over: float | None = None,
+        *, hurry: bool = False,
+    ) -> None:  # fmt: skip
         place = spoken.place if spoken else f"rest@{self.state.waits}"
-        self.face, shown = express(self.face, Placed(events=tuple(placed), place=place, marks=felt), over=over)
+        seen = Placed(events=tuple(placed), place=place, marks=felt)
+        self.face, shown = express(self.face, seen, over=over, hurry=hurry)
         self.events += shown
 
     def body(self) -> Body:

@@ -100,7 +100,7 @@ def compile_text(
     planned = plan_script(script, parameters=p, model=model, count=voice.syllables, states=begun, seed=seed, cast=cast)
     for spoken in speak(planned, ensemble.performer, media):
         who = ensemble.step(spoken)
-        groups.append(_group(spoken, who.state.body))
+        groups.append(group_of(spoken, who.state.body))
         sounds.update((said.media, _media_info(said)) for said in spoken.parts)
         if on_progress:
             on_progress(min(1.0, spoken.group.source.end / len(script.text)))
@@ -116,7 +116,7 @@ def compile_text(
         text=script.text,
         duration=end,
         bodies=tuple(who.body() for who in ensemble.performers.values()),
-        media=sounds | _breath_media(events, recordings),
+        media=sounds | breath_media(events, recordings),
         groups=tuple(groups),
         events=events,
     )
@@ -222,7 +222,8 @@ def made_by() -> str:
         return "scorebreath"
 
 
-def _group(spoken: Spoken, body: str) -> Group:
+def group_of(spoken: Spoken, body: str) -> Group:
+    """A group as the Score has it."""
     group = spoken.group
     return Group(
         id=spoken.id,
@@ -245,7 +246,7 @@ def _media_info(said: SpokenPart) -> MediaInfo:
     )
 
 
-def _breath_media(events: Iterable[Event], recordings: Recordings | None) -> dict[str, MediaInfo]:
+def breath_media(events: Iterable[Event], recordings: Recordings | None) -> dict[str, MediaInfo]:
     """The recordings that some event sounds with."""
     if recordings is None:
         return {}

@@ -87,3 +87,7 @@ class Places:
         words = " ".join(text.split())
         self._said[words] += 1
         return f"{words}#{self._said[words] - 1}"
+
+    def take_back(self, text: str) -> None:
+        """The last group that said `text` was not said after all."""
+        self._said[" ".join(text.split())] -= 1

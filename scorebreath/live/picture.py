@@ -9,11 +9,15 @@ from types import MappingProxyType
 from typing import Protocol
 
 from scorebreath.curves.curve_set import CurveSet
+from scorebreath.curves.rigs.table import rig_named
+
+EVERYBODY = "*"
+"""In place of a body: all of them."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Picture:
-    """One frame of one body."""
+    """One frame of one body; what it shows is worked out once, however many targets ask."""
 
     body: str
     name: str
@@ -33,6 +37,22 @@ class Picture:
         values = self.curves.sample([self.time])[0]
         return MappingProxyType(dict(zip(self.curves.channels, map(float, values), strict=True)))
 
+    def rig(self, name: str) -> Mapping[str, float]:
+        """Every column of a rig by its name, in the units of its table.
+
+        Raises:
+            InputError: There is no such rig.
+        """
+        if name not in self._rigs:
+            rig = rig_named(name)
+            values = rig.sample(self.curves, [self.time])[0]
+            self._rigs[name] = MappingProxyType(dict(zip(rig.columns, map(float, values), strict=True)))
+        return self._rigs[name]
+
+    @cached_property
+    def _rigs(self) -> dict[str, Mapping[str, float]]:
+        return {}
+
 
 class Target(Protocol):
     """Somewhere pictures go."""
@@ -50,3 +70,14 @@ class Target(Protocol):
 
     def close(self) -> None:
         """Let go of it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stream:
+    """A target, and which pictures it gets."""
+
+    target: Target
+    body: str = EVERYBODY
+    """id of the only body it gets; EVERYBODY; or empty: whoever comes first"""
+    rate: float | None = None
+    """pictures of a body a second, at most those of the sender; None: all of them"""

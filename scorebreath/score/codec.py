@@ -108,8 +108,8 @@ def decode_event(item: Json, place: str = "event", file: str = "") -> Event:
     return _validated(EVENTS[kind][0], {key: value for key, value in item.items() if key != "type"}, place, file)
 
 
-def encode(item: Group | Event) -> dict[str, Json]:
-    """A group or an event as a JSON object."""
+def encode(item: Body | Group | Event) -> dict[str, Json]:
+    """A body, a group or an event as a JSON object."""
     plain = _plain(item)
     if isinstance(item, Unknown):
         plain["type"] = plain.pop("kind")

@@ -1,7 +1,8 @@
 """Takes (`scorebreath.take/1`): a folder that grows while something is performed, and is a Score afterwards.
 
-`take.jsonl` has a header line, then one line for each group and event as it happens, each flushed before anything else
-happens, so what was performed survives the performer. A torn last line is dropped and said.
+`take.jsonl` has a header line, then one line for each group and event as it happens, each handed to the system before
+anything else happens, so what was performed survives the performer; once a second it is forced onto the disk, too. A
+torn last line is dropped and said.
 """
 
 from __future__ import annotations
@@ -9,6 +10,9 @@ from __future__ import annotations
 import dataclasses
 import json
 import os
+import time
+from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -25,12 +29,14 @@ from scorebreath.score.codec import (
     parse_json,
     read_whole,
 )
-from scorebreath.score.document import SCHEMA, Group, MediaInfo, Score
+from scorebreath.score.document import SCHEMA, Body, Group, MediaInfo, Score
 from scorebreath.score.events import Event, WarningEvent
 from scorebreath.units import snap
 
 TAKE_SCHEMA = "scorebreath.take/1"
 TAKE_FILE = "take.jsonl"
+FORCED = 1.0
+"""s after which what is written is forced onto the disk: a power cut may take so much."""
 
 
 class TakeWriter:
@@ -52,6 +58,7 @@ class TakeWriter:
             self._stream = (folder / TAKE_FILE).open("xb")
         except OSError as error:
             raise EnvironmentFailure(f"{folder / TAKE_FILE}: cannot be written: {error.strerror}") from None
+        self._forced = time.monotonic()
         header = json.loads(dumps(dataclasses.replace(score, groups=(), events=(), media={})))
         header["schema"] = TAKE_SCHEMA
         self._write(header)
@@ -59,6 +66,10 @@ class TakeWriter:
     def text(self, piece: str) -> None:
         """More text arrived: it goes on where the text ended."""
         self._write({"text": piece})
+
+    def body(self, body: Body) -> None:
+        """Somebody joins."""
+        self._write({"body": encode(body)})
 
     def group(self, group: Group) -> None:
         """A breath group was planned."""
@@ -72,9 +83,16 @@ class TakeWriter:
         """Something happens."""
         self._line(dump_event(event))
 
+    def events(self, events: Iterable[Event]) -> None:
+        """Several things have been decided at once."""
+        self._line("\n".join(dump_event(event) for event in events))
+
     def close(self) -> None:
         """Close the file."""
-        self._stream.close()
+        if not self._stream.closed:
+            with suppress(OSError):
+                os.fsync(self._stream.fileno())
+            self._stream.close()
 
     def __enter__(self) -> Self:
         """The writer."""
@@ -91,7 +109,9 @@ class TakeWriter:
         try:
             self._stream.write(line.encode() + b"\n")
             self._stream.flush()
-            os.fsync(self._stream.fileno())
+            if time.monotonic() - self._forced > FORCED:
+                self._forced = time.monotonic()
+                os.fsync(self._stream.fileno())
         except OSError as error:
             raise EnvironmentFailure(f"{self._stream.name}: cannot be written: {error.strerror}") from None
 
@@ -115,6 +135,7 @@ def read_take(folder: Path) -> Score:
     check_schema(header.get("schema"), TAKE_SCHEMA, f"{path}:1")
     text, media = [str(header.get("text", ""))], {}
     groups: list[Any] = []
+    bodies: list[Any] = list(header.get("bodies", ()))
     events: list[Event] = []
     for number, line in enumerate(lines[1:], 2):
         item = parse_json(line, f"{path}:{number}")
@@ -128,9 +149,11 @@ def read_take(folder: Path) -> Score:
             media.update(item["media"])
         elif "group" in item:
             groups.append(item["group"])
+        elif "body" in item:
+            bodies.append(item["body"])
         else:
-            raise ScoreError(f"{path}:{number}: expected text, media, a group or an event")
-    plain = {**header, "schema": SCHEMA, "text": "".join(text), "media": media, "groups": groups}
+            raise ScoreError(f"{path}:{number}: expected text, media, a body, a group or an event")
+    plain = {**header, "schema": SCHEMA, "bodies": bodies, "text": "".join(text), "media": media, "groups": groups}
     plain["duration"] = max([float(header.get("duration", 0.0)), *(snap(event.end) for event in events)])
     score = loads(json.dumps(plain).encode(), str(path))
     if torn:

@@ -1,0 +1,176 @@
+"""The ledger: everything that has been decided, in the order in which it was; it only ever grows.
+
+Curves are made of what matters around now: events have a finite reach, so a window of them gives the very values that
+the whole performance gives.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from scorebreath.curves.curve_set import CurveSet, curves
+from scorebreath.score.document import Body, Group, MediaInfo, Score
+from scorebreath.score.events import EVENTS, Cut, Event, Parameter
+from scorebreath.score.take import TakeWriter
+from scorebreath.score.values import LARGEST
+from scorebreath.units import snap
+
+KEPT = 4.0
+"""s behind now for which curves can still be asked."""
+WIDEST = max(reach.lag for _, reach in EVENTS.values())
+"""s that an event reaches behind its end, at most."""
+
+
+class Ledger:
+    """A Score that grows. One thread writes; any may read.
+
+    Args:
+        score: All that is known at the start: no groups, no events.
+        take: Where everything is written as it happens; None: nowhere.
+    """
+
+    def __init__(self, score: Score, take: TakeWriter | None = None) -> None:
+        """Nothing has happened."""
+        self._score = score
+        self._take = take
+        self._lock = threading.Lock()
+        self._text = ""
+        self._bodies = {body.id: body for body in score.bodies}
+        self._media: dict[str, MediaInfo] = dict(score.media)
+        self._groups: dict[str, Group] = {}
+        self._events: dict[str, Event] = {}
+        self._near: dict[str, list[Event]] = {body: [] for body in self._bodies}
+        self._curves: dict[str, CurveSet] = {}
+        self.over: float | None = None
+        """s when all is over; None: nobody knows"""
+
+    @property
+    def bodies(self) -> Mapping[str, Body]:
+        """Who is there."""
+        return dict(self._bodies)
+
+    @property
+    def media(self) -> Mapping[str, MediaInfo]:
+        """What has been put into the media."""
+        return dict(self._media)
+
+    def text(self, piece: str) -> None:
+        """The text goes on."""
+        with self._lock:
+            self._text += piece
+        if self._take:
+            self._take.text(piece)
+
+    def body(self, body: Body) -> None:
+        """Somebody joins."""
+        with self._lock:
+            self._bodies[body.id] = body
+            self._near[body.id] = []
+        if self._take:
+            self._take.body(body)
+
+    def group(self, group: Group, media: Mapping[str, MediaInfo]) -> None:
+        """A breath group is said, with these media."""
+        self.media_used(media)
+        with self._lock:
+            self._groups[group.id] = group
+        if self._take:
+            self._take.group(group)
+
+    def media_used(self, media: Mapping[str, MediaInfo]) -> None:
+        """These media sound."""
+        new = {name: info for name, info in media.items() if name not in self._media}
+        with self._lock:
+            self._media |= new
+        if self._take:
+            for name, info in new.items():
+                self._take.sound(name, info)
+
+    def events(self, events: Iterable[Event], now: float) -> list[Event]:
+        """Events have been decided; as they are written: an id that is taken gets a number.
+
+        Args:
+            events: In any order.
+            now: s.
+        """
+        written = []
+        with self._lock:
+            for event in events:
+                named = event if event.id not in self._events else replace(event, id=self._fresh(event.id))
+                self._events[named.id] = named
+                written.append(named)
+                self._near[named.body].append(named)
+            for body in {event.body for event in written}:
+                self._near[body] = _window(self._near[body], now - KEPT)
+                self._curves.pop(body, None)
+        if self._take and written:
+            self._take.events(written)
+        return written
+
+    def end(self, time: float) -> None:
+        """All is over then."""
+        with self._lock:
+            self.over = time
+            self._curves.clear()
+
+    def near(self, body: str) -> list[Event]:
+        """A body's events that are not long over."""
+        return list(self._near[body])
+
+    def curves(self, body: str) -> CurveSet:
+        """The curves of a body around now: from `KEPT` seconds ago up to where everything is decided."""
+        with self._lock:
+            if body not in self._curves:
+                self._curves[body] = curves(self._part(body, self._near[body]), body)
+            return self._curves[body]
+
+    def all_curves(self) -> dict[str, CurveSet]:
+        """Those of everybody."""
+        return {body: self.curves(body) for body in self._bodies}
+
+    def part(self, body: str, events: Iterable[Event]) -> Score:
+        """A Score of a few events of one body, with all that they name."""
+        with self._lock:
+            return self._part(body, events)
+
+    def score(self) -> Score:
+        """The whole performance so far."""
+        with self._lock:
+            latest = max((event.end for event in self._events.values()), default=0.0)
+            return replace(
+                self._score, text=self._text, bodies=tuple(self._bodies.values()), media=dict(self._media),
+                groups=tuple(self._groups.values()), events=tuple(self._events.values()),
+                duration=snap(latest if self.over is None else max(self.over, 0.0)),
+            )  # fmt: skip
+
+    def _part(self, body: str, events: Iterable[Event]) -> Score:
+        some = tuple(events)
+        named = {getattr(event, "media", None) for event in some}
+        noises = (getattr(event, "noise", None) for event in some)
+        named |= {source for noise in noises if noise for source in (noise.source, noise.source_nose)}
+        groups = {event.group for event in some if event.group}
+        return replace(
+            self._score, text=self._text, duration=LARGEST if self.over is None else self.over,
+            bodies=(self._bodies[body],), media={name: self._media[name] for name in named if name in self._media},
+            groups=tuple(self._groups[name] for name in sorted(groups) if name in self._groups), events=some,
+        )  # fmt: skip
+
+    def _fresh(self, name: str) -> str:
+        number = 2
+        while f"{name}~{number}" in self._events:
+            number += 1
+        return f"{name}~{number}"
+
+
+def _window(events: list[Event], since: float) -> list[Event]:
+    """Those that reach behind a time, the cuts that end them, and what was last done to the sound."""
+    heard = max((e for e in events if isinstance(e, Parameter) and e.heard), key=lambda e: e.onset, default=None)
+    kept = [e for e in events if not isinstance(e, Cut) and (e.end + WIDEST >= since or e is heard)]
+    names = {event.id for event in kept}
+    cuts = [event for event in events if isinstance(event, Cut) and names.intersection(event.targets)]
+    if not cuts:
+        return kept
+    narrowed = [replace(cut, targets=tuple(target for target in cut.targets if target in names)) for cut in cuts]
+    return [*kept, *narrowed]

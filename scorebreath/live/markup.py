@@ -1,0 +1,88 @@
+"""Inline tags in a text that arrives in pieces: a piece may end anywhere, even within a tag.
+
+What cannot be a tag's surroundings any more goes on at once. A tag waits for its end and for the word behind it, since
+that decides where its mark stands (`script.markup.settle`).
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+from scorebreath.errors import ScriptError
+from scorebreath.script.marks import Mark
+from scorebreath.script.markup.origin import Origin
+from scorebreath.script.markup.settle import settle
+from scorebreath.script.markup.tags import find
+
+CONTEXT = 200
+"""Code points of what went before that a tag's place may depend on."""
+LONGEST_TAG = 400
+"""Code points after which an open bracket is text."""
+_UNSURE = re.compile(r"[\s\\]*$")
+_SAFE = re.compile(r"(?<=[^\s\]\\])\s(?=\w)")
+_BRACKETS = re.compile(r"\[[^\]\n]*\]?")
+
+
+class Clean(NamedTuple):
+    """A piece without its tags."""
+
+    text: str
+    marks: tuple[Mark, ...]
+    """their places count from the text's beginning"""
+    problem: str = ""
+    """what was wrong with a tag, which is left out"""
+
+
+@dataclass(slots=True)
+class TagStream:
+    """Takes pieces of one text; gives them back without tags."""
+
+    start: int = 0
+    """place of the text's beginning in a larger one"""
+    _pending: str = ""
+    _behind: str = field(default="", init=False)
+    _length: int = field(default=0, init=False)
+
+    def feed(self, piece: str) -> list[Clean]:
+        """Take a piece; give what is certain now."""
+        self._pending += piece
+        if "[" not in self._pending:
+            kept = _UNSURE.search(self._pending)
+            return self._give(kept.start() if kept else len(self._pending))
+        cuts = [match.start() for match in _SAFE.finditer(self._pending)]
+        for cut in reversed(cuts):
+            if not _open(self._pending[:cut]):
+                return self._give(cut)
+        return []
+
+    def finish(self) -> list[Clean]:
+        """The text is over, or nothing more of it comes for now: give all."""
+        return self._give(len(self._pending))
+
+    def _give(self, end: int) -> list[Clean]:
+        raw, self._pending = self._pending[:end], self._pending[end:]
+        if not raw:
+            return []
+        problem = ""
+        try:
+            pieces, found = find(Origin(text=raw, file=""))
+        except ScriptError as error:
+            problem = str(error).splitlines()[0]
+            pieces, found = [_BRACKETS.sub("", raw)], []
+        before = len(self._behind)
+        bare = self._behind + "".join(pieces)
+        text, marks, _ = settle(bare, [(place + before, mark) for place, mark in found], ())
+        clean, shift = text[before:], self.start + self._length - before
+        self._length += len(clean)
+        self._behind = text[-CONTEXT:]
+        return [Clean(clean, tuple(replace(mark, at=mark.at + shift) for mark in marks), problem)]
+
+
+def _open(text: str) -> bool:
+    """Whether a text ends within a bracket that may yet become a tag."""
+    at = text.rfind("[")
+    if at < 0 or len(text) - at > LONGEST_TAG:
+        return False
+    return "]" not in text[at:] and "\n" not in text[at:]
