@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import Literal
 
 from scorebreath.errors import InputError, did_you_mean, shortened
+from scorebreath.live.controls.packets import LONGEST_ADDRESS
 from scorebreath.live.desk import COMMANDS
 from scorebreath.parameters.table import OSC_ROOT, Parameters, bounds, choices, osc_address
 from scorebreath.units import plain
@@ -97,8 +98,8 @@ def resolve(address: str, bodies: Sequence[str]) -> Place:
 
 
 def hint(address: str) -> str:
-    """A tail for an error message: the addresses somebody may have meant, or nothing."""
-    return did_you_mean(address[:80], [row.address for row in table()])
+    """A tail for an error message: what somebody may have meant behind the last stroke, or nothing."""
+    return did_you_mean(address[:LONGEST_ADDRESS].rpartition("/")[2], [row.place.name for row in table()])
 
 
 def address_of(name: str, body: str = "") -> str:

@@ -1,7 +1,7 @@
 """Bytes of OSC 1.0, read as hostile and written small.
 
-python-osc reads single messages; bundles are walked here, because a bundle may hold sizes below zero (which make a
-naive reader run for ever), thousands of bundles in each other, or thousands of nothings.
+Written with python-osc, read without it: its reader turns for ever at an element whose size is below zero, runs out
+of stack in bundles within bundles, and takes a torn float for 0.
 """
 
 from __future__ import annotations
@@ -10,10 +10,7 @@ import struct
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from pythonosc.osc_message import OscMessage
-from pythonosc.osc_message import ParseError as MessageError
 from pythonosc.osc_message_builder import OscMessageBuilder
-from pythonosc.parsing.osc_types import ParseError as TypeTagError
 
 from scorebreath.errors import InputError, shortened
 
@@ -31,8 +28,10 @@ _BUNDLE = b"#bundle\x00"
 _AT_ONCE = 1
 _SINCE_1900 = 2_208_988_800
 """s from the beginning of time tags to that of Unix time"""
-_READ_AS = {"i": "i", "f": "f", "h": "h", "d": "d", "s": "s", "T": "T", "F": "F", "N": "N", "S": "s", "I": "T"}
-"""Type tag: what it is read as. A symbol is a text, an impulse is true."""
+_NUMBERS = {tag: struct.Struct(f">{code}") for tag, code in (("i", "i"), ("f", "f"), ("h", "q"), ("d", "d"))}
+_CONSTANTS: dict[str, Argument] = {"T": True, "F": False, "N": None, "I": True}
+"""An impulse is a button pressed."""
+_TAGS = " ".join((*_NUMBERS, *_CONSTANTS, "s", "S"))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -122,30 +121,44 @@ def _read_bundle(data: bytes, when: float | None, depth: int, found: list[Messag
 
 
 def _message(data: bytes, when: float | None) -> Message:
-    end = data.find(b"\x00")
-    if end < 0 or end > LONGEST_ADDRESS:
-        raise InputError(f"OSC packet: an address without end, or longer than {LONGEST_ADDRESS} bytes")
-    if not data[:end].isascii() or not data[:end].decode("ascii").isprintable():
-        raise InputError(f"OSC packet: address {data[: min(end, 24)]!r}, expected printable ASCII")
-    start = (end // 4 + 1) * 4
-    try:
-        read = OscMessage(data[:start] + _understood(data[start:]))
-    except (MessageError, TypeTagError, ValueError, OverflowError) as error:
-        raise InputError(f"OSC packet: {data[:end].decode('ascii')}: {shortened(str(error), 80)}") from None
-    return Message(address=read.address, arguments=tuple(read.params), when=when)
-
-
-def _understood(data: bytes) -> bytes:
-    """Type tags and arguments, the tags made such as python-osc reads."""
-    if not data:
-        return data
-    end = data.find(b"\x00")
-    tags = data[: max(end, 0)].decode("latin-1")
+    address, place = _string(data, 0)
+    if len(address) > LONGEST_ADDRESS or not (address.isascii() and address.isprintable()):
+        raise InputError(
+            f"OSC packet: address {shortened(address, 40)!r}, expected {LONGEST_ADDRESS} of printable ASCII"
+        )
+    if place == len(data):  # old programs leave out the type tags where there are no arguments
+        return Message(address=address, when=when)
+    tags, place = _string(data, place)
     if not tags.startswith(",") or len(tags) > MOST_ARGUMENTS:
         raise InputError(f"OSC packet: type tags {shortened(tags)!r}, expected a comma and {MOST_ARGUMENTS} at most")
-    if unknown := sorted(set(tags[1:]) - set(_READ_AS)):
-        raise InputError(f"OSC packet: type tag {unknown[0]!r}, expected one of {' '.join(_READ_AS)}")
-    return ("," + "".join(_READ_AS[tag] for tag in tags[1:])).encode("ascii") + data[end:]
+    arguments: list[Argument] = []
+    for tag in tags[1:]:
+        if tag in _CONSTANTS:
+            arguments.append(_CONSTANTS[tag])
+        elif tag in _NUMBERS:
+            size = _NUMBERS[tag].size
+            if place + size > len(data):
+                raise InputError(f"OSC packet: {address}: torn in an argument of type {tag}")
+            arguments.append(_NUMBERS[tag].unpack_from(data, place)[0])
+            place += size
+        elif tag in "sS":
+            text, place = _string(data, place)
+            arguments.append(text)
+        else:
+            raise InputError(f"OSC packet: {address}: type tag {tag!r}, expected one of {_TAGS}")
+    return Message(address=address, arguments=tuple(arguments), when=when)
+
+
+def _string(data: bytes, place: int) -> tuple[str, int]:
+    """A text that ends with a zero byte, and where the next thing begins."""
+    end = data.find(b"\x00", place)
+    after = (end // 4 + 1) * 4
+    if end < 0 or after > len(data):
+        raise InputError(f"OSC packet: byte {place}: a text without end")
+    try:
+        return data[place:end].decode("utf-8"), after
+    except UnicodeDecodeError as error:
+        raise InputError(f"OSC packet: byte {place + error.start}: not UTF-8") from None
 
 
 def arguments_text(arguments: Sequence[Argument]) -> str:

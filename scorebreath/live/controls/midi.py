@@ -1,0 +1,166 @@
+"""A MIDI controller in front of a desk: its ports, and one thread."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from types import TracebackType
+from typing import Any, Self
+
+from scorebreath.errors import EnvironmentFailure
+from scorebreath.live.controls.mapping import Control, Mapping
+from scorebreath.live.controls.midi_control import MidiControl, Said
+from scorebreath.live.controls.midi_ports import Driver, KeptPort, Port, RtMidi
+from scorebreath.live.desk import Desk
+
+LOOKING = 0.25
+"""s between two looks whether ports come or go"""
+AFRESH = 5.0
+"""s between two looks with a new client, while a port is away"""
+LEAST = 0.004
+"""s between two drains: of a flood of messages, this many a second at most are done for each control"""
+
+
+class MidiServer:
+    """Opens a controller, or a port of our own for others to connect to, and does what it says."""
+
+    def __init__(
+        self,
+        desk: Desk,
+        *,
+        port: str = "",
+        output: str = "",
+        mapping: Mapping | None = None,
+        wait: bool = False,
+        api: str = "",
+        said: Said = lambda text: None,
+        learned: Callable[[Control], None] = lambda control: None,
+        driver: Driver | None = None,
+    ) -> None:
+        """Prepare; `start` begins.
+
+        Args:
+            desk: What is moved.
+            port: Name of an input, or a part of it; empty: our own, `scorebreath`.
+            output: Name of an output, or a part of it, that values are told to; empty: none.
+            mapping: Which knob does what; None: the default.
+            wait: Whether ports that are not there yet are waited for.
+            api: As `RtMidi` takes it.
+            said: Told, by any thread, what people should know.
+            learned: Told of every control that was learned.
+            driver: Where ports come from; None: python-rtmidi.
+        """
+        self._desk, self._wanted, self._output_wanted, self._wait, self._api = desk, port, output, wait, api
+        self._mapping, self._said, self._learned, self._driver = mapping, said, learned, driver
+        self._event = threading.Event()
+        self._stopping = False
+        self._thread: threading.Thread | None = None
+        self._kept: list[KeptPort] = []
+        self._own: Port | None = None
+        self.control: MidiControl
+        """learning, the mapping and the counts; once started"""
+
+    @property
+    def ports(self) -> tuple[str, ...]:
+        """Ports that are open now."""
+        own = (self._own.name,) if self._own else ()
+        return (*own, *(kept.name for kept in self._kept if kept.name))
+
+    def start(self) -> None:
+        """Open the ports and begin.
+
+        Raises:
+            MissingExtraError: python-rtmidi is not installed.
+            EnvironmentFailure: This machine has no MIDI, or no ports of our own.
+            InputError: There is no such port, and it is not to be waited for.
+        """
+        if self._thread:
+            return
+        driver = self._driver or RtMidi(self._api)
+        self.control = MidiControl(
+            self._desk, self._mapping, said=self._said, learned=self._learned, wake=self._event.set
+        )
+        try:
+            self._open(driver)
+        except Exception:
+            self._close(driver)
+            raise
+        self._stopping = False
+        self._thread = threading.Thread(target=self._serve, args=(driver,), name="midi", daemon=True)
+        self._thread.start()
+
+    def stop(self) -> None:
+        """Close the ports and end the thread; does nothing the second time."""
+        if not self._thread:
+            return
+        self._stopping = True
+        self._event.set()
+        self._thread.join()
+        self._thread = None
+
+    def __enter__(self) -> Self:
+        self.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.stop()
+
+    def _open(self, driver: Driver) -> None:
+        hears = self.control.feed
+        if self._wanted:
+            self._kept.append(KeptPort(driver, "input", self._wanted, self._said, hears))
+        else:
+            try:
+                self._own = driver.open_virtual(hears)
+            except (OSError, NotImplementedError) as error:
+                raise EnvironmentFailure(f"MIDI: no port of our own can be opened: {error}") from None
+        if self._output_wanted:
+            self._output = KeptPort(driver, "output", self._output_wanted, self._said)
+            self._kept.append(self._output)
+        for kept in self._kept:
+            if self._wait:
+                kept.poll()
+            else:
+                kept.open_now()
+        self.control.refresh()
+
+    def _close(self, driver: Driver) -> None:
+        self.control.close()
+        for kept in self._kept:
+            kept.close()
+        if self._own:
+            self._own.close()
+        self._kept, self._own = [], None
+        if isinstance(driver, RtMidi):
+            driver.forget()
+
+    def _serve(self, driver: Driver) -> None:
+        looked = afresh = time.monotonic()
+        while not self._stopping:
+            self._event.wait(self._patience(looked))
+            self._event.clear()
+            for message in self.control.drain():
+                self._tell(message)
+            now = time.monotonic()
+            if self._kept and now - looked >= LOOKING:
+                looked = now
+                if isinstance(driver, RtMidi) and now - afresh >= AFRESH and not all(kept.name for kept in self._kept):
+                    afresh = now
+                    driver.forget()
+                come = [kept.poll() for kept in self._kept]  # every one is looked at
+                if any(come):
+                    self.control.refresh()
+            time.sleep(LEAST)
+        self._close(driver)
+
+    def _patience(self, looked: float) -> float:
+        deadline = self.control.deadline()
+        least = looked + LOOKING if deadline is None else min(looked + LOOKING, deadline)
+        return max(0.0, least - time.monotonic())
+
+    def _tell(self, message: Any) -> None:
+        if self._output_wanted:
+            self._output.send(message)
