@@ -6,7 +6,7 @@ supriya itself takes longer to import than a sentence takes to render; a test ho
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,18 +16,26 @@ from scorebreath.engine.clock import OfflineClock
 from scorebreath.engine.osc import bundle, message
 from scorebreath.engine.play import load, play
 from scorebreath.engine.segments import Segment
-from scorebreath_synthdefs.catalogue import CATALOGUE
+from scorebreath_synthdefs.catalogue import ALL
 from scorebreath_synthdefs.compiled import together
 
 FIRST_NODE = 1000
 """Node ids below belong to the engine's own groups."""
 _SECOND = 2**32  # units of an OSC time tag
-_ROOT, _TO_HEAD = 0, 0
+_ROOT = 0
+_ACTIONS: Mapping[str, int] = {"ADD_TO_HEAD": 0, "ADD_TO_TAIL": 1}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Buffer:
     """A place for a sound in the engine's memory."""
+
+    id_: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Node:
+    """A group or a sound in the engine."""
 
     id_: int
 
@@ -41,6 +49,7 @@ class Commands:
     nodes: int = 0
     buffers: int = 0
     _now: list[bytes] = field(default_factory=list)
+    _groups: tuple[int, ...] = ()
 
     @contextmanager
     def at(self, seconds: float) -> Iterator[None]:
@@ -52,13 +61,34 @@ class Commands:
         """Instruments of the catalogue."""
         self._now.append(message("/d_recv", together(names)))
 
-    def add_synth(self, name: str, **controls: float) -> None:
+    def add_group(self, *, add_action: str = "ADD_TO_HEAD") -> Node:
+        """A group in the one of everything; groups made one after the other are made in one message."""
+        made = self._node()
+        if self._now and self._now[-1] == message("/g_new", *self._groups):
+            self._now.pop()
+        else:
+            self._groups = ()
+        self._groups = (*self._groups, made.id_, _ACTIONS[add_action], _ROOT)
+        self._now.append(message("/g_new", *self._groups))
+        return made
+
+    def add_synth(
+        self, name: str, *, add_action: str = "ADD_TO_HEAD", target_node: Node | None = None, **controls: float
+    ) -> Node:
         """A sound; controls at their defaults are left out."""
-        defaults = CATALOGUE[name].controls
+        defaults = ALL[name].controls
         said = [(key, float(value)) for key, value in sorted(controls.items()) if value != defaults[key].default]
-        node = FIRST_NODE + self.nodes
-        self.nodes += 1
-        self._now.append(message("/s_new", name, node, _TO_HEAD, _ROOT, *(part for pair in said for part in pair)))
+        target = _ROOT if target_node is None else target_node.id_
+        made = self._node()
+        self._now.append(
+            message("/s_new", name, made.id_, _ACTIONS[add_action], target, *(part for pair in said for part in pair))
+        )
+        return made
+
+    def set_node(self, node: Node, **controls: float) -> None:
+        """Move a sound's controls."""
+        said = [(key, float(value)) for key, value in sorted(controls.items())]
+        self._now.append(message("/n_set", node.id_, *(part for pair in said for part in pair)))
 
     def add_buffer(self, *, file_path: Path) -> Buffer:
         """A sound file read into memory."""
@@ -75,15 +105,31 @@ class Commands:
         """End all that sounds."""
         self._now.append(message("/g_freeAll", _ROOT))
 
+    def _node(self) -> Node:
+        self.nodes += 1
+        return Node(id_=FIRST_NODE + self.nodes - 1)
 
-def commands(segment: Segment, where: Callable[[str], str], *, sample_rate: int) -> Commands:
-    """What an engine must be told to make the segment's sounds and end in silence."""
+
+def commands(
+    segment: Segment, where: Callable[[str], str], *, sample_rate: int, buses: Mapping[str, int] | None = None
+) -> Commands:
+    """What an engine must be told to make the segment's sounds and end in silence.
+
+    Args:
+        segment: What sounds.
+        where: From the SHA-256 of media to a file.
+        sample_rate: Hz.
+        buses: First control bus of every body that is moved in the segment.
+    """
     clock = OfflineClock(sample_rate=sample_rate, start=segment.start)
     made = Commands()
     with made.at(0.0):
-        load(made, (sound.instrument for sound in segment.sounds), instrument=str)
+        places = load(made, (sound.instrument for sound in segment.sounds), buses=buses, instrument=str)
     end = clock.of_frame(segment.start + segment.frames)
-    play(made, segment.sounds, when=lambda time: min(clock(time), end), where=where, instrument=str)
+    play(
+        made, segment.sounds,
+        moves=segment.moves, places=places, when=lambda time: min(clock(time), end), where=where, instrument=str,
+    )  # fmt: skip
     with made.at(end):
         made.free_all()  # some units that are alive at the end crash the embedded engine
     return made

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from scorebreath.engine.commands import commands, write_commands
 from scorebreath.engine.engines import DEFAULT, Engine, engine_named
+from scorebreath.engine.moves import Move, buses, moves
 from scorebreath.engine.onsets import Onset, onsets
 from scorebreath.engine.rates import SAMPLE_RATE, check_sample_rate
 from scorebreath.engine.room import temporary_folder
@@ -96,6 +97,7 @@ def render(
         media,
         stream,
         duration=score.duration,
+        moved=moves(score),
         engine=engine,
         sample_rate=sample_rate,
         encoding=encoding,
@@ -111,6 +113,7 @@ def render_sounds(
     stream: BinaryIO,
     *,
     duration: float,
+    moved: Sequence[Move] = (),
     engine: str | Engine = DEFAULT,
     sample_rate: int = SAMPLE_RATE,
     encoding: Encoding = "pcm24",
@@ -125,6 +128,7 @@ def render_sounds(
         media: Samples of those that play any.
         stream: Where the WAV file goes, front to back.
         duration: Seconds of the file; what starts later is left out.
+        moved: What is moved meanwhile, in order of time.
         engine: A name or an engine.
         sample_rate: Hz.
         encoding: Of the file.
@@ -138,7 +142,7 @@ def render_sounds(
     heard = [sound for sound in sounds if sound.duration > 0 and frame_count(sound.time, sample_rate) < frames]
     job = _Job(media=media, engine=chosen, sample_rate=sample_rate, timeout=timeout, told=_Told(on_progress, frames))
     limiter = PeakLimiter()
-    pieces = list(segments(heard, frames=frames, sample_rate=sample_rate))
+    pieces = list(segments(heard, frames=frames, sample_rate=sample_rate, moves=moved))
     with closing(job.blocks(pieces)) as made:  # whatever goes wrong, no engine works on
         blocks = limiter.limit(made)
         if on_samples is not None:
@@ -196,7 +200,8 @@ class _Job:
             sample_rate=self.sample_rate, on_progress=partial(self.told, segment, _STAGING),
         )  # fmt: skip
         with (place / COMMANDS).open("wb") as stream:
-            write_commands(stream, commands(segment, staged.__getitem__, sample_rate=self.sample_rate))
+            told = commands(segment, staged.__getitem__, sample_rate=self.sample_rate, buses=buses(segment.moves))
+            write_commands(stream, told)
         made = run(
             self.engine, place,
             frames=segment.frames, sample_rate=self.sample_rate, timeout=self.timeout,

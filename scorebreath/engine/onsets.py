@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from scorebreath.engine.breaths import SYNTH, Breathing, Sounding, share, soundings, throat
 from scorebreath.equations.breath import FLOW_EXPONENT
 from scorebreath.errors import ScoreError, shortened
+from scorebreath.score.cutting import Ending, endings
 from scorebreath.score.document import Body, MediaInfo, Score
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration, Noise, Utterance
 from scorebreath.units import amplitude
@@ -35,6 +36,10 @@ class Onset:
     """s that those media last"""
     event: str
     """id of the event it belongs to"""
+    body: str = ""
+    """whose it is"""
+    cut: Ending | None = None
+    """where it ends before its own end; `duration` is as long as it is heard then"""
 
     @property
     def end(self) -> float:
@@ -45,27 +50,56 @@ class Onset:
 def onsets(score: Score) -> tuple[Onset, ...]:
     """Everything in the Score that sounds, in order of time.
 
-    What breathing events sound like is told by `engine.breaths`; breaths of no length make no sound.
+    What breathing events sound like is told by `engine.breaths`; breaths of no length make no sound. Of an event that
+    is cut, what would begin then or later never does, and what sounds fades out.
 
     Raises:
         ScoreError: A level or a source that no instrument can play.
     """
     bodies = {body.id: body for body in score.bodies}
+    ends = endings(score.events)
     found = sorted(
-        (onset for event in score.events for onset in _of(event, score, bodies[event.body])),
+        (onset for event in score.events for onset in sounds_of(event, score.media, bodies[event.body])),
         key=lambda onset: onset.time,
     )
-    breaths = 0
-    for index, onset in enumerate(found):
+    return numbered(left for onset in found if (left := left_of(onset, ends.get(onset.event))) is not None)
+
+
+def numbered(sounds: Iterable[Onset], before: int = 0) -> tuple[Onset, ...]:
+    """Sounds whose noises have a random generator each.
+
+    Args:
+        sounds: In order of time.
+        before: How many noises there were.
+    """
+    found: list[Onset] = []
+    for onset in sounds:
         if "seed" in onset.controls:
-            found[index] = replace(onset, controls={**onset.controls, "rand_id": float(breaths % GENERATORS)})
-            breaths += 1
+            found.append(replace(onset, controls={**onset.controls, "rand_id": float(before % GENERATORS)}))
+            before += 1
+        else:
+            found.append(onset)
     return tuple(found)
 
 
-def _of(event: Event, score: Score, body: Body) -> Iterator[Onset]:
+def left_of(sound: Onset, ending: Ending | None) -> Onset | None:
+    """What a cut leaves of a sound: all, a beginning that fades out, or nothing."""
+    if ending is None or ending.time >= sound.end:
+        return sound
+    if ending.time <= sound.time:
+        return None
+    until = min(sound.end, ending.time + ending.fade)
+    return replace(sound, cut=ending, duration=until - sound.time)
+
+
+def sounds_of(event: Event, media: Mapping[str, MediaInfo], body: Body) -> Iterator[Onset]:
+    """What one event sounds like, uncut, in no order.
+
+    Raises:
+        ScoreError: A level or a source that no instrument can play.
+    """
     if isinstance(event, Utterance):
-        length = _seconds(score.media[event.media])
+        length = _seconds(media[event.media])
         yield Onset(
             time=event.onset,
             duration=length,
@@ -74,10 +108,11 @@ def _of(event: Event, score: Score, body: Body) -> Iterator[Onset]:
             media=event.media,
             media_duration=length,
             event=event.id,
+            body=event.body,
         )
     elif isinstance(event, Inspiration | Expiration | Hold) and event.noise is not None and event.noise.duration > 0:
         for sounding in soundings(event, event.noise):
-            yield _breath(event, event.noise, sounding, score.media, body)
+            yield _breath(event, event.noise, sounding, media, body)
 
 
 def _breath(event: Breathing, noise: Noise, sounding: Sounding, media: Mapping[str, MediaInfo], body: Body) -> Onset:
@@ -94,6 +129,7 @@ def _breath(event: Breathing, noise: Noise, sounding: Sounding, media: Mapping[s
             "exponent": FLOW_EXPONENT if noise.envelope == "flow" else 0.0,
         },
         event=event.id,
+        body=event.body,
     )
     if sounding.kind is None:
         return _recorded(made, sounding, media)

@@ -7,42 +7,48 @@ from typing import Any
 
 from supriya import SynthDef
 
-from scorebreath_synthdefs.catalogue import Instrument
+from scorebreath_synthdefs.catalogue import Instrument, Route
 from scorebreath_synthdefs.envelope import Envelope
 from scorebreath_synthdefs.graph import builder, sc
 from scorebreath_synthdefs.loudness import CALIBRATION_RATE, law
+from scorebreath_synthdefs.touch import ratio, touched
 from scorebreath_synthdefs.tracts import Dip, Tract
 
 _HIGHEST = 0.45
 """Share of the sample rate above which no resonance goes: it would not be stable."""
+_DARKEST, _BRIGHTEST = 0.25, 4.0
+"""However far a breath's own brightness and a performer's hand go together."""
 
 
-def breath(name: str, instrument: Instrument, tract: Tract) -> SynthDef:
+def breath(name: str, instrument: Instrument, tract: Tract, route: Route) -> SynthDef:
     """An instrument that breathes once through `tract` and frees itself.
 
-    The output starts on the very sample asked for (`OffsetOut`), and one seed gives one sound on every engine.
+    The output starts on the very sample asked for (`OffsetOut`), and one seed gives one sound on every engine. Its
+    level is the same however bright it is moved.
     """
     with builder(instrument) as graph:
         sc.RandID.ir(rand_id=graph["rand_id"])
         sc.RandSeed.ir(trigger=1, seed=graph["seed"])
         envelope = Envelope(graph)
         glide = envelope.glide(tract.glide)
-        sound = _through(tract, sc.WhiteNoise.ar(), graph, glide)
+        brightness = (graph["brightness"] * ratio(graph, "brightness")).clip(_DARKEST, _BRIGHTEST)
+        sound = _through(tract, sc.WhiteNoise.ar(), graph["scale"], brightness, glide)
         loudness = graph["level"] * instrument.calibration * _evenness(graph["scale"]) * envelope.evenness()
-        moved = _moved(tract, graph["scale"], graph["brightness"], glide)
-        sc.OffsetOut.ar(bus=graph["out"], source=sound * envelope.amplitude() * (loudness * moved))
+        moved = _moved(tract, graph["scale"], brightness, glide)
+        sounding = sound * envelope.amplitude() * (loudness * moved)
+        sc.OffsetOut.ar(bus=graph["out"], source=touched(sounding, graph, route))
     return graph.build(name=name)
 
 
-def _through(tract: Tract, noise: Any, graph: Any, glide: Any) -> Any:
+def _through(tract: Tract, noise: Any, scale: Any, brightness: Any, glide: Any) -> Any:
     parts = noise * _amplitude(tract.floor_db)
-    size = graph["scale"] * graph["brightness"]
+    size = scale * brightness
     highest = sc.SampleRate.ir() * _HIGHEST
     for index, (frequency, bandwidth, gain_db) in enumerate(tract.resonances):
         moved = size * frequency * glide if index < tract.gliding else size * frequency
         band = sc.BPF.ar(source=noise, frequency=moved.min(highest), reciprocal_of_q=bandwidth / frequency)
         parts = parts + band * ((-1) ** index * _amplitude(gain_db))  # neighbours meet without a notch
-    sound = sc.OnePole.ar(source=parts, coefficient=_decay(graph["brightness"] * (2 * tract.tilt) * glide))
+    sound = sc.OnePole.ar(source=parts, coefficient=_decay(brightness * (2 * tract.tilt) * glide))
     for dip in tract.dips:
         sound = _dip(dip, sound, size)
     return sc.HPF.ar(source=sound, frequency=tract.highpass)

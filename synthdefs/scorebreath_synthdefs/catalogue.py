@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, get_args
 
 from scorebreath_synthdefs.tracts import TRACTS, Kind, Speaker
 
@@ -19,6 +19,20 @@ RECORDING = "scorebreath_recording"
 """Name of the player of recorded breaths."""
 RECORDING_DB = -20.0
 """RMS of a recorded breath, dB re full scale (physiology 9.2)."""
+MOVER = "scorebreath_mover"
+"""Name of what moves a body's ratios."""
+PLACE = "scorebreath_place"
+"""Name of what puts a body between the speakers."""
+Route = Literal["speech", "mouth", "nose", "brightness"]
+HEARD: tuple[Route, ...] = get_args(Route)
+"""Ratios of a body, in the order of its control buses: gain of speech, of breaths through mouth and nose, and what
+resonances and tilt of breaths are multiplied by."""
+CEILING = 10 ** (-1 / 20)
+"""Amplitude that nothing goes beyond live, as offline: -1 dB re full scale."""
+LOOK_AHEAD = 0.02
+"""s by which a limited master is late: SuperCollider's Limiter looks ahead twice its duration."""
+NEVER = 1e9
+"""`cut` of what is not cut, s."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,7 +66,24 @@ def breath_name(kind: Kind, speaker: Speaker) -> str:
     return f"scorebreath_{kind}_{speaker}"
 
 
+def master_name(channels: int, limited: bool) -> str:
+    """Name of the master for so many outputs.
+
+    >>> master_name(2, True)
+    'scorebreath_master_2_limited'
+    """
+    return f"scorebreath_master_{channels}{'_limited' * limited}"
+
+
 _OUT = Control(default=0, unit="bus", about="where the sound goes")
+SHARED: Mapping[str, Control] = MappingProxyType(
+    {
+        "heard": Control(default=-1, unit="bus", about="first of four of the body's ratios; below 0: all are 1"),
+        "cut": Control(default=NEVER, unit="s", about="after its onset that it begins to end", fixed=False),
+        "fade": Control(default=0.02, unit="s", about="from there to silence; then it frees itself", fixed=False),
+    }
+)
+"""Controls of every instrument that sounds."""
 
 _ABOUT: Mapping[Kind, str] = {
     "mouth": "inspiration through the open mouth",
@@ -64,6 +95,9 @@ _ABOUT: Mapping[Kind, str] = {
     "laugh": "a puff of laughter: [h] before [a]",
     "hold": "the throat's soft catch as it shuts, low and dull",
 }
+
+NASAL: frozenset[Kind] = frozenset({"nose", "sniff"})
+"""Kinds that sound through the nose."""
 
 _RAMPS: Mapping[Kind, tuple[float, float, float]] = {
     "mouth": (0.15, 0.27, 0.18),
@@ -131,6 +165,7 @@ def _breath(kind: Kind) -> Mapping[str, Control]:
                 default=1, unit="", about="of all resonances: length of the table's tract over this one's"
             ),
             "brightness": Control(default=1, unit="", about="of resonances and tilt: faster air is brighter"),
+            **SHARED,
         }
     )
 
@@ -139,7 +174,9 @@ _PLAYER = MappingProxyType(
     {
         "out": _OUT,
         "buffer": Control(default=0, unit="buffer", about="mono, at the engine's rate, ending with a zero"),
+        "start": Control(default=0, unit="s", about="where in the buffer it begins"),
         "gain": Control(default=1, unit="amplitude", about="gain", fixed=False),
+        **SHARED,
     }
 )
 
@@ -150,6 +187,7 @@ _RECORDING = MappingProxyType(
         "start": Control(default=0, unit="s", about="where in the buffer it begins"),
         "level": _LEVEL,
         **_ramps(*_RAMPS["mouth"]),
+        **SHARED,
     }
 )
 
@@ -171,7 +209,51 @@ CATALOGUE: Mapping[str, Instrument] = MappingProxyType(
         },
     }
 )
-"""All instruments by name."""
+"""All instruments that sound, by name."""
+
+_MIX = Control(default=0, unit="bus", about="first of two that everything is mixed into")
+HELPERS: Mapping[str, Instrument] = MappingProxyType(
+    {
+        MOVER: Instrument(
+            about="moves a body's ratios",
+            controls=MappingProxyType(
+                {
+                    "bus": Control(default=0, unit="bus", about="first of the four control buses"),
+                    **{f"{route}_from": Control(default=1, unit="", about=f"{route} before") for route in HEARD},
+                    **{route: Control(default=1, unit="", about=f"{route} afterwards") for route in HEARD},
+                    "glide": Control(default=0, unit="s", about="from the one to the other"),
+                    "stay": Control(default=0, unit="s", about="afterwards, while an older one still moves"),
+                }
+            ),
+        ),
+        PLACE: Instrument(
+            about="a body between the speakers",
+            controls=MappingProxyType(
+                {
+                    "bus": Control(default=0, unit="bus", about="where the body sounds"),
+                    "out": _MIX,
+                    "pan": Control(default=0, unit="", about="-1 left, 0 both alike, 1 right", fixed=False),
+                }
+            ),
+        ),
+        **{
+            master_name(channels, limited): Instrument(
+                about=f"all bodies into {channels} output{'s' * (channels > 1)}{', limited' * limited}",
+                controls=MappingProxyType(
+                    {
+                        "bus": _MIX,
+                        "out": Control(default=0, unit="bus", about="first output"),
+                        "gain": Control(default=1, unit="amplitude", about="of everything", fixed=False),
+                    }
+                ),
+            )
+            for channels in (1, 2)
+            for limited in (False, True)
+        },
+    }
+)
+"""What does not sound by itself, by name."""
+ALL: Mapping[str, Instrument] = MappingProxyType({**CATALOGUE, **HELPERS})
 
 
 @cache
@@ -182,13 +264,18 @@ def synthdef(name: str) -> SynthDef:
         KeyError: The catalogue has no such name.
     """
     from scorebreath_synthdefs.breath import breath
+    from scorebreath_synthdefs.mixing import master, place
+    from scorebreath_synthdefs.moving import mover
     from scorebreath_synthdefs.recording import recording
     from scorebreath_synthdefs.speech import speech
 
-    instrument = CATALOGUE[name]
-    if name == SPEECH:
-        return speech(name, instrument)
-    if name == RECORDING:
-        return recording(name, instrument)
-    tract = next(tract for key, tract in TRACTS.items() if breath_name(*key) == name)
-    return breath(name, instrument, tract)
+    instrument = ALL[name]
+    makers = {SPEECH: speech, RECORDING: recording, MOVER: mover, PLACE: place}
+    if name in makers:
+        return makers[name](name, instrument)
+    for channels in (1, 2):
+        for limited in (False, True):
+            if name == master_name(channels, limited):
+                return master(name, instrument, channels, limited)
+    (kind, _), tract = next(row for row in TRACTS.items() if breath_name(*row[0]) == name)
+    return breath(name, instrument, tract, "nose" if kind in NASAL else "mouth")

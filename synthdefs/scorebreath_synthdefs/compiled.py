@@ -13,11 +13,12 @@ from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
-from scorebreath_synthdefs.catalogue import CATALOGUE, synthdef
+from scorebreath_synthdefs.catalogue import ALL, synthdef
 
 FOLDER, DIGEST = "scsyndef", "sources.sha256"
 SOURCES = (
-    "breath.py", "catalogue.py", "envelope.py", "graph.py", "loudness.py", "recording.py", "speech.py", "tracts.py",
+    "breath.py", "catalogue.py", "envelope.py", "graph.py", "loudness.py", "mixing.py", "moving.py", "recording.py",
+    "speech.py", "touch.py", "tracts.py",
 )  # fmt: skip
 """What instruments are made from."""
 _HEAD = struct.Struct(">4sih")  # SCgf, version, how many
@@ -38,7 +39,7 @@ def compiled(name: str) -> bytes:
     Raises:
         KeyError: The catalogue has no such name.
     """
-    CATALOGUE[name]
+    ALL[name]
     folder = files(__package__) / FOLDER
     try:
         if (folder / DIGEST).read_text("ascii").strip() == digest():
@@ -57,7 +58,7 @@ def together(names: Iterable[str]) -> bytes:
 def write(folder: Path) -> None:
     """Build all instruments into a folder, with the digest of their sources."""
     folder.mkdir(exist_ok=True)
-    for name in CATALOGUE:
+    for name in ALL:
         (folder / f"{name}.scsyndef").write_bytes(synthdef(name).compile())
     (folder / DIGEST).write_text(f"{digest()}\n", "ascii")
 

@@ -7,6 +7,7 @@ from supriya import SynthDef
 from scorebreath_synthdefs.catalogue import Instrument
 from scorebreath_synthdefs.envelope import Envelope
 from scorebreath_synthdefs.graph import builder, sc
+from scorebreath_synthdefs.touch import touched
 
 
 def recording(name: str, instrument: Instrument) -> SynthDef:
@@ -24,5 +25,5 @@ def recording(name: str, instrument: Instrument) -> SynthDef:
             loop=1,
         )
         loudness = graph["level"] * instrument.calibration * envelope.evenness()
-        sc.OffsetOut.ar(bus=graph["out"], source=sound * envelope.amplitude() * loudness)
+        sc.OffsetOut.ar(bus=graph["out"], source=touched(sound * envelope.amplitude() * loudness, graph, "mouth"))
     return graph.build(name=name)

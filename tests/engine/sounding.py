@@ -12,6 +12,7 @@ from scorebreath.engine.offline import render
 from scorebreath.media.store import MediaStore, MemoryStore
 from scorebreath.score.document import Body, MediaInfo, Person, Score, VoiceInfo
 from scorebreath.score.events import (
+    Cut,
     Event,
     Expiration,
     Inspiration,
@@ -19,10 +20,12 @@ from scorebreath.score.events import (
     Level,
     Motion,
     Noise,
+    Parameter,
     Pitch,
     Trapezoid,
     Utterance,
 )
+from scorebreath.score.performing import Heard
 from scorebreath.units import snap
 
 REFERENCE_DB = -20.0
@@ -71,6 +74,17 @@ def utterance(onset: float, media: str, seconds: float, *, gain_db: float = 0.0,
     return Utterance(
         id=f"{name}{onset}", body="body", onset=snap(onset), duration=snap(seconds), media=media, gain_db=gain_db,
         closing="final", words=(), phones=(), pitch=Pitch(step=0.005, hertz=()), level=Level(step=0.005, db=()),
+    )  # fmt: skip
+
+
+def cut(onset: float, *targets: str, fade: float = 0.05) -> Cut:
+    return Cut(id=f"cut{onset}", body="body", onset=snap(onset), duration=snap(fade), targets=targets, fade=snap(fade))
+
+
+def move(onset: float, glide: float, **heard: float) -> Parameter:
+    return Parameter(
+        id=f"move{onset}", body="body", onset=snap(onset), duration=snap(glide), name="x", value=1.0, glide=snap(glide),
+        heard=Heard(**heard),
     )  # fmt: skip
 
 

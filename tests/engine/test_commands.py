@@ -13,12 +13,13 @@ from supriya import OscBundle, OscMessage, Score
 
 from scorebreath.engine.clock import OfflineClock
 from scorebreath.engine.commands import commands, write_commands
+from scorebreath.engine.moves import buses, moves
 from scorebreath.engine.onsets import onsets
 from scorebreath.engine.play import KEEP, PRELOAD, load, play
 from scorebreath.engine.segments import segments
 from scorebreath.media.store import MemoryStore
 from scorebreath_synthdefs import SPEECH
-from tests.engine.sounding import babble, inspiration, noise, score, utterance
+from tests.engine.sounding import babble, cut, inspiration, move, noise, score, utterance
 
 RATE = 48000
 
@@ -112,27 +113,38 @@ DRAWN = st.lists(
     st.tuples(st.booleans(), st.integers(100, 20_000), st.floats(0, 1)), max_size=12, unique_by=lambda one: one[1]
 )
 """Whether it is speech, when (ms), and its nose's share."""
+CUTS = st.lists(st.tuples(st.integers(100, 20_000), st.integers(0, 500)), max_size=3, unique_by=lambda one: one[0])
+"""When everything is cut (ms), and its fade (ms)."""
+MOVES = st.lists(
+    st.tuples(st.integers(0, 20_000), st.integers(0, 900), st.floats(0, 4)), max_size=4, unique_by=lambda one: one[0]
+)
+"""When gains are moved (ms), in what time (ms), where to."""
 
 
-@settings(max_examples=30, deadline=None)
-@given(DRAWN)
-def test_it_is_what_supriya_would_write(drawn: list[tuple[bool, int, float]]) -> None:
-    """A supriya score that plays the same sounds gives the same bytes."""
+@settings(max_examples=40, deadline=None)
+@given(DRAWN, CUTS, MOVES)
+def test_it_is_what_supriya_would_write(
+    drawn: list[tuple[bool, int, float]], cuts: list[tuple[int, int]], moved: list[tuple[int, int, float]]
+) -> None:
+    """A supriya score that plays the same sounds, cuts and moves gives the same bytes."""
     store = MemoryStore()
     name = store.put(babble(0.5, 22050, 1), 22050, "speech")
     events = [
         utterance(ms / 1000, name, 0.5) if speech else inspiration(ms / 1000, noise(), nose=round(nose, 2))
         for speech, ms, nose in drawn
     ]
-    made = score(sorted(events, key=lambda event: event.onset), 21.0, store)
-    (segment,) = segments(onsets(made), frames=21 * RATE, sample_rate=RATE)
+    names = tuple(event.id for event in events)
+    ends = [cut(ms / 1000, *names, fade=fade / 1000) for ms, fade in cuts]
+    louder = [move(ms / 1000, glide / 1000, mouth=round(to, 3)) for ms, glide, to in moved]
+    made = score(sorted([*events, *ends, *louder], key=lambda event: event.onset), 21.0, store)
+    (segment,) = segments(onsets(made), moves=moves(made), frames=21 * RATE, sample_rate=RATE)
     ours, theirs = io.BytesIO(), io.BytesIO()
-    write_commands(ours, commands(segment, str, sample_rate=RATE))
+    write_commands(ours, commands(segment, str, sample_rate=RATE, buses=buses(segment.moves)))
     clock = OfflineClock(sample_rate=RATE)
     reference = Score(input_bus_channel_count=0, output_bus_channel_count=1, buffer_count=len(segment.sounds) + 1)
     with reference.at(0.0):
-        load(reference, (sound.instrument for sound in segment.sounds))
-    play(reference, segment.sounds, when=clock, where=str)
+        places = load(reference, (sound.instrument for sound in segment.sounds), buses=buses(segment.moves))
+    play(reference, segment.sounds, moves=segment.moves, places=places, when=clock, where=str)
     with reference.at(clock.of_frame(segment.frames)):
         reference.free_group_children(reference.root_node)
     for datagram in reference.iterate_datagrams():
