@@ -13,7 +13,8 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import groupby, pairwise
+from math import inf
 from typing import NamedTuple
 
 from scorebreath.curves.tracks import E
@@ -38,11 +39,19 @@ class Known:
 
 
 class Barrier(NamedTuple):
-    """What a cut knows."""
+    """A cut that ended something when it was told."""
 
+    time: float
+    """s"""
+    until: float
+    """s; when other cuts, told later, have left nothing of it; else its time"""
     place: int
-    """of the cut among the Score's events"""
+    """among the Score's events"""
     targets: frozenset[str]
+
+    def hides(self, place: int, name: str) -> bool:
+        """Whether it does not know an event that would begin behind it."""
+        return place > self.place and name not in self.targets
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,28 +65,44 @@ class Epochs:
 
     def window(self, number: int) -> tuple[float, float]:
         """From when to when an epoch is: from its cut until before the next one, s."""
-        begin = self.cuts[number - 1] if number else -float("inf")
-        return begin, self.cuts[number] if number < len(self.cuts) else float("inf")
+        begin = self.cuts[number - 1] if number else -inf
+        return begin, self.cuts[number] if number < len(self.cuts) else inf
 
 
-def barriers(score: Score, body: str) -> Mapping[float, list[Barrier]]:
-    """The cuts of a body by their times, ascending; those that end nothing are left out."""
-    found: dict[float, list[Barrier]] = {}
-    for place, event in enumerate(score.events):
-        if isinstance(event, Cut) and event.body == body and event.targets:
-            found.setdefault(event.onset, []).append(Barrier(place, frozenset(event.targets)))
-    return {time: found[time] for time in sorted(found)}
+def barriers(score: Score, body: str) -> list[Barrier]:
+    """The cuts of a body that matter, in order of their times."""
+    cuts = [(place, e) for place, e in enumerate(score.events) if isinstance(e, Cut) and e.body == body]
+    if not cuts:
+        return []
+    own = {event.id: snap(event.end) for event in score.events}
+    final = endings(cut for _, cut in cuts)
+    told: dict[str, float] = {}
+    found: list[Barrier] = []
+    for place, cut in cuts:
+        ended = [name for name in cut.targets if min(own[name], told.get(name, own[name])) > cut.onset]
+        if ended:
+            until = max(final[name].time for name in ended)
+            found.append(Barrier(cut.onset, until, place, frozenset(cut.targets)))
+        told.update(dict.fromkeys(ended, cut.onset))
+    return sorted(found)
 
 
-def epochs(score: Score, body: str) -> Epochs:
-    """Divide a body's time, in time linear in events and cuts, as far as events do not last over many cuts."""
-    cuts = barriers(score, body)
-    times, walls = list(cuts), list(cuts.values())
+def epochs(score: Score, body: str, cuts: Sequence[Barrier]) -> Epochs:
+    """Divide a body's time, in time linear in events and cuts, as far as events do not last over many cuts.
+
+    Args:
+        score: Whose.
+        body: Which.
+        cuts: Its barriers.
+    """
+    times = sorted({cut.time for cut in cuts if cut.until == cut.time})
+    walls = [cut.time for cut in cuts]
     ends = endings(score.events)
-    newest = [-1]  # place of the newest cut before each epoch: older ones behind it no longer hide what it brings
-    for wall in walls:
-        newest.append(max(newest[-1], *(barrier.place for barrier in wall)))
-    parts: list[list[Event]] = [[] for _ in range(len(cuts) + 1)]
+    told = {name: cut.place for cut in reversed(cuts) for name in cut.targets}  # the earliest cut counts
+    newest = [-1]  # place of the newest cut until each epoch
+    for _, group in groupby((cut for cut in cuts if cut.until == cut.time), key=lambda cut: cut.time):
+        newest.append(max(newest[-1], *(cut.place for cut in group)))
+    parts: list[list[Event]] = [[] for _ in range(len(times) + 1)]
     for place, event in enumerate(score.events):
         if event.body != body or isinstance(event, Cut):
             continue
@@ -85,10 +110,13 @@ def epochs(score: Score, body: str) -> Epochs:
         first = bisect_left(times, event.onset - REACH)
         last = bisect_right(times, snap(event.end) + REACH)
         stop = len(times) if ending is None else bisect_left(times, ending.time)  # the last epoch before it is cut
-        begun = bisect_right(times, event.onset)
+        begun = bisect_right(walls, event.onset)
         for number in range(first, min(last, stop) + 1):
-            ahead = (barrier for wall in walls[number:begun] for barrier in wall)
-            if all(_knows(barrier, place, event.id) or newest[number] > barrier.place for barrier in ahead):
+            begin = times[number - 1] if number else -inf
+            if ending is not None and ending.prevents(event) and newest[number] > told.get(event.id, len(score.events)):
+                continue  # that it never happens was known when this epoch's cut was told
+            ahead = cuts[bisect_right(walls, begin) : begun]
+            if not any(cut.until > begin and cut.hides(place, event.id) for cut in ahead):
                 parts[number].append(event)
         if ending is not None and not ending.prevents(event):
             left = _left(event, ending)
@@ -96,13 +124,8 @@ def epochs(score: Score, body: str) -> Epochs:
                 behind = bisect_right(times, max(snap(left.end), ending.time) + REACH)
                 for number in range(stop + 1, behind + 1):
                     parts[number].append(left)
-    known = [Known(_apart(part, ends, begin)) for part, begin in zip(parts, [-float("inf"), *times], strict=True)]
+    known = [Known(_apart(part, ends, begin)) for part, begin in zip(parts, [-inf, *times], strict=True)]
     return Epochs(cuts=tuple(times), known=tuple(known))
-
-
-def _knows(cut: Barrier, place: int, name: str) -> bool:
-    """Whether a cut knows an event that would begin behind it."""
-    return place < cut.place or name in cut.targets
 
 
 def _left(event: Event, ending: Ending) -> Event | None:

@@ -29,7 +29,8 @@ class Scenes:
         self._body = body
         self._duration = score.duration
         self._heard = levels(score, body)
-        self._epochs: Epochs | None = epochs(score, body.id) if barriers(score, body.id) else None
+        cuts = barriers(score, body.id)
+        self._epochs: Epochs | None = epochs(score, body.id, cuts) if cuts else None
         parts: tuple[Acts, ...] = (score,) if self._epochs is None else self._epochs.known
         self._acts = parts
         self._sources: list[Sources | None] = [None] * len(parts)
