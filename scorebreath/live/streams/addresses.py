@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import BinaryIO, cast
 from urllib.parse import parse_qsl, urlsplit
@@ -36,7 +36,7 @@ class Address:
     port: int = 0
     path: str = ""
     """of a file, or STDOUT"""
-    options: Mapping[str, str] = MappingProxyType({})
+    options: Mapping[str, str] = field(default_factory=dict)
     """those of its scheme, defaults filled in"""
     body: str = EVERYBODY
     rate: float | None = None

@@ -36,7 +36,7 @@ def line(picture: Picture, rig: str = "") -> bytes:
         InputError: There is no such rig.
     """
     told: dict[str, object] = {
-        "schema": SCHEMA, "body": picture.body, "name": picture.name, "time": round(picture.time, 6),
+        "schema": SCHEMA, "body": picture.body, "name": picture.name, "time": round(picture.time, 6) + 0.0,
         "unix": round(picture.unix, 6), "number": picture.number, "channels": _rounded(picture.channels),
     }  # fmt: skip
     if rig:

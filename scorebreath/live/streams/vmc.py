@@ -12,7 +12,7 @@ another time would hold them back.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal
 
@@ -69,9 +69,9 @@ BREATH = ("nostrilDilateLeft", "nostrilDilateRight", "thorax", "abdomen", "shoul
 class Move:
     """How a bone moves: degrees for each channel, and what part of the head's turn is its own."""
 
-    pitch: Mapping[str, float] = MappingProxyType({})
-    yaw: Mapping[str, float] = MappingProxyType({})
-    roll: Mapping[str, float] = MappingProxyType({})
+    pitch: Mapping[str, float] = field(default_factory=dict)
+    yaw: Mapping[str, float] = field(default_factory=dict)
+    roll: Mapping[str, float] = field(default_factory=dict)
     head: float = 0.0
 
     def rotation(self, channels: Mapping[str, float]) -> Quaternion:
