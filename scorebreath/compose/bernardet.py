@@ -13,7 +13,7 @@ from dataclasses import replace
 from scorebreath.compose import acts, marked, parts
 from scorebreath.compose.chances import Chances
 from scorebreath.compose.feeling import Feeling
-from scorebreath.compose.idle import RELAXATION, relax
+from scorebreath.compose.idle import NOTHING, RELAXATION, relax
 from scorebreath.compose.lungs import EMPTY
 from scorebreath.compose.phrasing import phrase
 from scorebreath.compose.placer import Placer
@@ -75,20 +75,30 @@ def finish(state: BodyState, tail: float = 0.0) -> tuple[BodyState, list[Event]]
 
 
 def rest(state: BodyState, until: float, what: str) -> tuple[BodyState, list[Event]]:
-    """Nothing: the model knows no breathing at rest (X15)."""
-    return replace(state, time=max(state.time, until)), []
+    """Nothing: the model knows no breathing at rest (X15); what an interruption has left in the lungs goes out."""
+    if state.volume == 0.0 or until - state.time <= NOTHING:
+        return replace(state, time=max(state.time, until)), []
+    placer = _alone(state, what)
+    relax(placer, min(RELAXATION, until - state.time))
+    state, events = placer.done()
+    return replace(state, time=max(state.time, until)), events
 
 
 def idle(state: BodyState) -> tuple[BodyState, list[Event]]:
     """Nothing, for a second (X15), unless something is left in the lungs."""
     if state.volume == 0.0:
         return replace(state, time=snap(state.time + RELAXATION)), []
-    placer = Placer(
-        state=replace(state, waits=state.waits + 1), id=f"{state.body}.idle{state.waits or ''}",
-        chances=Chances(seed=state.seed, body=state.body, place=f"idle@{state.waits}"), feels=feel,
-    )  # fmt: skip
+    placer = _alone(state, "idle")
     relax(placer, RELAXATION)
     return placer.done()
+
+
+def _alone(state: BodyState, what: str) -> Placer:
+    """A placer for what belongs to no group."""
+    return Placer(
+        state=replace(state, waits=state.waits + 1), id=f"{state.body}.{what}{state.waits or ''}",
+        chances=Chances(seed=state.seed, body=state.body, place=f"{what}@{state.waits}"), feels=feel,
+    )  # fmt: skip
 
 
 def act(state: BodyState, marks: tuple[Mark, ...], what: str) -> tuple[BodyState, list[Event]]:

@@ -8,15 +8,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from scorebreath.compose.state import BodyState
 from scorebreath.ensemble import Performer
 from scorebreath.expression.interrupted import ENDED, FACE, interrupted
+from scorebreath.live.deciding import BREATHS
 from scorebreath.parameters.states import Blend
 from scorebreath.score.cutting import endings
 from scorebreath.score.events import (
     Command,
     Cut,
     Event,
-    Expiration,
-    Hold,
-    Inspiration,
     Marker,
     Parameter,
     State,
@@ -30,7 +28,6 @@ if TYPE_CHECKING:
 
 KEPT: tuple[type[Event], ...] = (Command, Cut, Marker, Parameter, WarningEvent)
 """Events that have no length: they end by themselves."""
-BREATHS = (Inspiration, Expiration, Hold)
 LONGEST_WORD = 0.8
 """s that an interruption waits for a word's end, at most."""
 
@@ -51,9 +48,9 @@ def interrupt(performance: Performance, who: Performer, at: float, *, fade: floa
     alive = [event for event in alive if event.id not in ends or ends[event.id].time > at]
     targets = [event.id for event in alive if _ends(event, at)]
     volume = float(performance.ledger.curves(body).sample([at], ["lung_volume"])[0, 0])
-    number = performance.counts.cuts + 1
+    number = performance.decisions.counts.cuts + 1
     if targets:
-        performance.decide([performance.cutting(body, at, targets, fade)])
+        performance.decisions.cut(body, at, targets, fade)
     who.state = replace(
         who.state, time=at, volume=snap(min(1.0, max(0.0, volume))), opening=(), blend=_blend(who.state, alive, at)
     )

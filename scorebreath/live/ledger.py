@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from scorebreath.curves.curve_set import CurveSet, curves
 from scorebreath.score.document import Body, Group, MediaInfo, Score
-from scorebreath.score.events import EVENTS, Cut, Event, Parameter
+from scorebreath.score.events import EVENTS, Cut, Event, Expiration, Hold, Inspiration, Parameter
 from scorebreath.score.take import TakeWriter
 from scorebreath.score.values import LARGEST
 from scorebreath.units import snap
@@ -165,12 +165,24 @@ class Ledger:
 
 
 def _window(events: list[Event], since: float) -> list[Event]:
-    """Those that reach behind a time, the cuts that end them, and what was last done to the sound."""
-    heard = max((e for e in events if isinstance(e, Parameter) and e.heard), key=lambda e: e.onset, default=None)
-    kept = [e for e in events if not isinstance(e, Cut) and (e.end + WIDEST >= since or e is heard)]
-    names = {event.id for event in kept}
-    cuts = [event for event in events if isinstance(event, Cut) and names.intersection(event.targets)]
-    if not cuts:
-        return kept
-    narrowed = [replace(cut, targets=tuple(target for target in cut.targets if target in names)) for cut in cuts]
-    return [*kept, *narrowed]
+    """Those that reach behind a time, and what is still in force there; in their order, with the cuts that end them."""
+    breaths = (e for e in events if e.onset < since and isinstance(e, Inspiration | Expiration | Hold))
+    last = max(breaths, key=lambda event: event.onset, default=None)
+    near = {event.id for event in (*_moves(events, since), last) if event is not None}
+    near |= {e.id for e in events if not isinstance(e, Cut) and e.end + WIDEST >= since}
+    kept: list[Event] = []
+    for event in events:
+        if event.id in near:
+            kept.append(event)
+        elif isinstance(event, Cut) and (targets := tuple(name for name in event.targets if name in near)):
+            kept.append(event if len(targets) == len(event.targets) else replace(event, targets=targets))
+    return kept
+
+
+def _moves(events: list[Event], since: float) -> list[Parameter]:
+    """Those whose sound is heard from a time on: a glide begins where the one before it has come to."""
+    moves = sorted((e for e in events if isinstance(e, Parameter) and e.heard), key=lambda event: event.onset)
+    first = sum(move.onset < since for move in moves) - 1
+    while first > 0 and moves[first - 1].onset + moves[first - 1].glide > moves[first].onset:
+        first -= 1
+    return moves[max(0, first - 1) :]

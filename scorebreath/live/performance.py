@@ -15,22 +15,21 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
-from scorebreath.engine.onsets import onsets
-from scorebreath.ensemble import BODY, Performer
-from scorebreath.expression.interrupted import FACE
+from scorebreath.ensemble import Performer
 from scorebreath.expression.silence import LOOK_AHEAD
 from scorebreath.live.backstage import Backstage
 from scorebreath.live.company import Company, Turn
-from scorebreath.live.conditions import Counts, Sounder, Timing, Told
-from scorebreath.live.heard import AS_MADE
-from scorebreath.live.interrupting import BREATHS, interrupt
+from scorebreath.live.conditions import Sounder, Timing, Told
+from scorebreath.live.deciding import Decisions
+from scorebreath.live.interrupting import interrupt
 from scorebreath.live.ledger import Ledger
-from scorebreath.live.preparing import Prepared
+from scorebreath.live.preparing import Prepared, Preparer
 from scorebreath.live.prompter import ALL, NOTHING, SENTENCES
+from scorebreath.live.text import Text
 from scorebreath.media.store import MediaStore
 from scorebreath.parameters.table import Parameters
-from scorebreath.pipeline import breath_media, group_of
-from scorebreath.score.events import Blink, Cut, Emotion, Event, Parameter, WarningEvent
+from scorebreath.pipeline import group_of
+from scorebreath.score.events import Blink, Emotion, Event
 from scorebreath.script.marks import Mark
 from scorebreath.units import snap
 
@@ -42,7 +41,8 @@ GLANCE = 0.25
 """s after which it looks again, whatever happens."""
 FADE = 0.1
 """s in which a breath at rest gives way."""
-GENERATORS = 64.0
+LATE = 0.001
+"""s from which on a group is late."""
 
 
 class Performance:
@@ -78,8 +78,8 @@ class Performance:
         """Begin: nothing sounds yet."""
         self.company, self.backstage, self.ledger = company, backstage, ledger
         self.timing, self.tell = timing, tell
-        self.counts = Counts()
         self.now = -timing.ahead
+        self.decisions = Decisions(company.ensemble, ledger, sounder, media, clock=lambda: self.now, tell=tell)
         self.paused = self.ending = False
         self.over: float | None = None
         self.queue: deque[Prepared] = deque()
@@ -90,18 +90,22 @@ class Performance:
         """s; when the last sound of what is decided is over"""
         self.resting: set[str] = set()
         """bodies that breathe at rest because nobody knew what follows"""
-        self.made: dict[str, Parameters] = {}
-        """by body: what its latest events were made with"""
         self.inbox: deque[Callable[[Performance], None]] = deque()
+        self.settings: dict[str, Parameters] = {}
+        """by voice: parameters that were moved; the backstage speaks with them"""
+        self.begun_with = {
+            who.state.body: who.state.parameters.set_by_hand() for who in company.ensemble.performers.values()
+        }
+        """by body: what was set at the beginning"""
+        self.acts = 0
+        """commands that were acts"""
         self.fed = self.now
         """s; when text came last"""
-        self._sounder, self._media, self._tail = sounder, media, tail
-        self._heard = dict.fromkeys(ledger.bodies, AS_MADE)
+        self._tail = tail
         self._next: Turn | None = None
         self._late: float | None = None
-        self._breaths = 0
         company.ensemble.begin(lead, begun)
-        self.decide(company.drain())
+        self.decisions.decide(company.drain())
 
     # -- time
 
@@ -137,10 +141,16 @@ class Performance:
         return self.company.ensemble.speaker or self.company.ensemble.performer("")
 
     @property
+    def speaks(self) -> bool:
+        """Whether a group that was decided is not over yet."""
+        return self.last is not None and self.speaker.state.body not in self.resting and self.now < self.line
+
+    @property
     def due(self) -> float:
         """When the next group must be decided, s; minus infinity: as soon as there is one."""
-        if self.last is None or self.speaker.state.body in self.resting:
-            return float("-inf")
+        resting = self.speaker.state.body in self.resting
+        if resting or self.last is None:
+            return self.line - self.timing.ahead if resting else float("-inf")
         line = self._next.before[1] if self._next else self.line
         return min(self.silent - self.timing.reaction - self.timing.margin, line - self.timing.ahead)
 
@@ -162,6 +172,28 @@ class Performance:
             return NOTHING
         return ALL if self.now - self.fed > self.timing.patience else SENTENCES
 
+    def hear(self, text: Text) -> None:
+        """There is something to say, behind what there is already."""
+        self.fed = self.now
+        self.backstage.tell(lambda preparer: preparer.prompter.texts.append(text))
+
+    def go_on(self, text: Text, piece: str | None) -> None:
+        """A text goes on; None: it is complete."""
+        self.fed = self.now
+
+        def read(preparer: Preparer) -> None:
+            if piece is None:
+                text.complete = True
+            else:
+                text.waiting.append(piece)
+
+        self.backstage.tell(read)
+
+    def parameters(self, voice: str) -> Parameters:
+        """Of whoever speaks with a voice, or would."""
+        ensemble = self.company.ensemble
+        return self.settings.get(voice) or ensemble.cast.get(voice, ensemble.parameters)
+
     # -- groups
 
     def _collect(self) -> None:
@@ -169,8 +201,8 @@ class Performance:
             if made.generation != self.generation:
                 continue
             if made.problem:
-                self.counts.unspoken += 1
-                self.warn("unspoken", f"{made.problem}: {_shown(made.group.text)}")
+                self.decisions.counts.unspoken += 1
+                self.decisions.warn("unspoken", f"{made.problem}: {_shown(made.group.text)}")
                 continue
             self.queue.append(made)
 
@@ -213,36 +245,39 @@ class Performance:
         body = who.state.body
         if joins:
             self.ledger.body(who.body())
-            self._heard[body] = AS_MADE
+            self.begun_with[body] = who.state.parameters.set_by_hand()
         begin = snap(max(self.line, reaction))
         if body in self.resting or who.state.time < self.now + self.timing.ahead - self.timing.margin:
             self._border(who, begin)
-        if self._late is not None:
+        if self._late is not None and begin - self._late >= LATE:
             late = begin - self._late
-            self.counts.late += 1
-            self.counts.latest = max(self.counts.latest, late)
-            self.warn("late", f"{late:.3f} s late: the voice was not ready: {_shown(prepared.group.text)}", at=begin)
-            self._late = None
+            self.decisions.counts.late += 1
+            self.decisions.counts.latest = max(self.decisions.counts.latest, late)
+            self.decisions.warn(
+                "late", f"{late:.3f} s late: the voice was not ready: {_shown(prepared.group.text)}", at=begin
+            )
+        self._late = None
 
     def _border(self, who: Performer, at: float) -> None:
         """Whatever a body does is cut there, and it goes on with something else."""
         if who.state.time < at:  # held up for so long that nobody knows what it did
-            self.counts.stalls += 1
+            self.decisions.counts.stalls += 1
             who.go_on(self.company.ensemble.breathing.rest(who.state, at, "held_up"))
-            self.decide(self.company.drain())
+            self.decisions.decide(self.company.drain())
         interrupt(self, who, at, fade=FADE)
         self.company.ensemble.clock = max(self.line, at)
 
     def _decide_turn(self, turn: Turn, following: Turn | None = None) -> None:
         """What was placed happens."""
-        group = turn.prepared.group
+        if self.last is not None:
+            said = self.last.prepared.group
+            self.backstage.tell(lambda preparer: preparer.prompter.done(said))
         self.ledger.group(group_of(turn.spoken, turn.who.state.body), turn.prepared.media)
         self.silent = turn.silent
         self.last = turn
-        self.counts.groups += 1
-        self.backstage.tell(lambda preparer: preparer.prompter.done(group))
-        self._catch_up(turn.who, turn.onset)
-        self.decide([*turn.events, *turn.shown, *(following.shown if following else ())])
+        self.decisions.counts.groups += 1
+        self.decisions.catch_up(turn.who.state.body, turn.onset)
+        self.decisions.decide([*turn.events, *turn.shown, *(following.shown if following else ())])
         if following:
             following.shown = []
 
@@ -257,7 +292,41 @@ class Performance:
         lost = [event for event in self.ledger.near(body) if _emotional(event) and event.onset >= turn.onset]
         if lost:
             at = snap(max(self.now + self.timing.reaction, min(event.onset for event in lost)))
-            self.decide([self.cutting(body, at, [event.id for event in lost], 0.1)])
+            self.decisions.cut(body, at, [event.id for event in lost], FADE)
+
+    def occupied(self, who: Performer) -> None:
+        """Something else than a group was placed for a body: nobody speaks before it is over."""
+        if who is self.speaker:
+            self.company.ensemble.clock = max(self.line, who.state.time)
+        self.resting.add(who.state.body)
+
+    def plan_again(self, place: int | None = None, *, keep: int = 0, prefer: str | None = None) -> None:
+        """What has not been decided is planned anew.
+
+        Args:
+            place: Of the first word, in the text; None: behind the last group that was decided.
+            keep: Groups that are ready and stay.
+            prefer: Voice whose text comes first.
+        """
+        kept = list(self.queue)[:keep]
+        if place is None:
+            last = kept[-1].group if kept else self.last.prepared.group if self.last else None
+            place = last.source.end if last else 0
+        self.generation += 1
+        generation, time = self.generation, self.line
+        self.queue = deque(replace(one, generation=generation) for one in kept)
+        first, blend = self.company.ensemble.performer(""), self.speaker.state.blend
+        parameters, cast = first.state.parameters, dict(self.company.ensemble.cast)
+
+        def again(preparer: Preparer) -> None:
+            plan = replace(preparer.prompter.plan, parameters=parameters, cast=cast)
+            preparer.generation = generation
+            if prefer is None:
+                preparer.prompter.again(place, plan=plan, blend=blend, time=time)
+            else:
+                preparer.prompter.prefer(prefer, place, plan=plan, blend=blend, time=time)
+
+        self.backstage.tell(again)
 
     # -- the end
 
@@ -275,7 +344,7 @@ class Performance:
             if who.state.body in self.resting:
                 interrupt(self, who, snap(max(self.line, self.now + self.timing.reaction)), fade=FADE)
         over = self.company.ensemble.finish(self._tail)
-        self.decide(self.company.drain())
+        self.decisions.decide(self.company.drain())
         self.over = over
         self.ledger.end(over)
 
@@ -296,74 +365,8 @@ class Performance:
             while who.state.time < until:
                 self.resting.add(who.state.body)
                 who.go_on(self.company.ensemble.breathing.idle(who.state))
-            self._catch_up(who, begun)
-            self.decide(self.company.drain())
-
-    # -- what is decided
-
-    def decide(self, events: list[Event]) -> None:
-        """These happen: they are written, and sound."""
-        if not events:
-            return
-        used = breath_media(events, self.company.ensemble.recordings)
-        self.ledger.media_used(used)
-        written = self.ledger.events(events, self.now)
-        bodies = dict.fromkeys(event.body for event in written)
-        for body in bodies:
-            own = [event for event in written if event.body == body]
-            self._sound(body, [event for event in own if not isinstance(event, (*FACE, Cut, Parameter))])
-            for event in own:
-                if isinstance(event, Cut):
-                    self.counts.cuts += 1
-                    self._sounder.cut(event.onset, event.targets, event.fade)
-                elif isinstance(event, Parameter) and event.heard is not None:
-                    self._sounder.move(event.onset, body, event.heard, event.glide)
-                    self._heard[body] = event.heard
-            if any(isinstance(event, BREATHS) for event in own):
-                self.made[body] = self._parameters(body)
-
-    def _sound(self, body: str, events: list[Event]) -> None:
-        sounds = []
-        for sound in onsets(self.ledger.part(body, events)):
-            if "rand_id" not in sound.controls:
-                sounds.append(sound)
-                continue
-            own = {"rand_id": float(self._breaths % GENERATORS)}  # breaths that overlap must not share one
-            sounds.append(replace(sound, controls={**sound.controls, **own}))
-            self._breaths += 1
-        if sounds:
-            self._sounder.play(sounds, self._media)
-
-    def _parameters(self, body: str) -> Parameters:
-        return next(who.state.parameters for who in self.company.performers if who.state.body == body)
-
-    def _catch_up(self, who: Performer, onset: float) -> None:
-        """What begins now was made with all that was moved: the sound is as the events say."""
-        body = who.state.body
-        if self._heard[body] != AS_MADE:
-            self.decide(
-                [
-                    Parameter(
-                        id=f"{body}.as_made", body=body, onset=snap(max(onset, self.now)), duration=0.0,
-                        rule="the plan has caught up", name="", heard=AS_MADE,
-                    )
-                ]
-            )  # fmt: skip
-
-    def cutting(self, body: str, at: float, targets: list[str], fade: float) -> Cut:
-        """The event that ends others."""
-        return Cut(
-            id=f"{body}.cut{self.counts.cuts + 1}", body=body, onset=at, duration=fade, origin="performer",
-            rule="cut", targets=tuple(targets), fade=fade,
-        )  # fmt: skip
-
-    def warn(self, code: str, text: str, at: float | None = None) -> None:
-        """Say it now, and write it down."""
-        self.tell(f"{code}: {text}")
-        onset = snap(max(0.0, self.now if at is None else at))
-        self.decide(
-            [WarningEvent(id=f"{BODY}.{code}", body=BODY, onset=onset, duration=0.0, rule=code, code=code, text=text)]
-        )
+            self.decisions.catch_up(who.state.body, begun)
+            self.decisions.decide(self.company.drain())
 
 
 def _emotional(event: Event) -> bool:

@@ -15,7 +15,8 @@ from scorebreath.live.conditions import Timing
 from scorebreath.live.ledger import Ledger
 from scorebreath.live.performance import Performance
 from scorebreath.live.preparing import Prepared, Preparer
-from scorebreath.live.prompter import NOTHING, Plan, Prompter, Text
+from scorebreath.live.prompter import NOTHING, Plan, Prompter
+from scorebreath.live.text import Text
 from scorebreath.media.store import MediaStore, MemoryStore
 from scorebreath.parameters.table import Parameters
 from scorebreath.pipeline import begin_states, made_by

@@ -1,0 +1,103 @@
+"""Parameters that are moved while somebody performs: what is planned follows, and what sounds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from scorebreath.ensemble import Performer
+from scorebreath.live.desk import Setting
+from scorebreath.live.heard import heard
+from scorebreath.parameters.derive import derive
+from scorebreath.parameters.table import Parameters
+from scorebreath.score.events import Parameter
+from scorebreath.units import snap
+
+if TYPE_CHECKING:
+    from scorebreath.live.performance import Performance
+
+GLIDE = 0.05
+"""s in which the sound follows a move."""
+SOON = 1.0
+"""s before it is due within which a group that is ready stays as it was planned."""
+NOT_PLANNED = frozenset(
+    {
+        "nose_share", "abdomen_share", "amplitude_breathing_sound", "opening_inspiration_channels",
+        "amplitude_sound_nose", "amplitude_sound_mouth", "amplitude_nostril_flare", "amplitude_mouth_open",
+        "amplitude_neck_motion", "volume_abdomen", "volume_thorax", "length_inspiration", "flow_exponent",
+        "breath_envelope", "inspiration_spread", "initiation_spread", "recovery_share", "resting_rate", "tidal_volume",
+    }
+)  # fmt: skip
+"""Parameters, beside those of output and face, that neither the plan nor the voice depends on."""
+
+
+def move(performance: Performance, who: Performer, changes: Mapping[str, Setting | None], glide: float | None) -> None:
+    """Set parameters of a body, or reset those that are None.
+
+    What is decided keeps its shape; the sound follows at once, everything else with the next breath group.
+    """
+    performance.take_back()
+    before = who.state.parameters
+    after = before.with_values(dict(changes))
+    if after == before and after.set_by_hand() == before.set_by_hand():
+        return
+    who.state = replace(who.state, parameters=after)
+    who.face = replace(who.face, parameters=after)
+    _keep(performance, who, after)
+    _write(performance, who, changes, GLIDE if glide is None else glide)
+    if any(planned(name) for name in changes):
+        ready = performance.queue and performance.due - performance.now < SOON
+        performance.plan_again(keep=1 if ready else 0)
+
+
+def planned(name: str) -> bool:
+    """Whether plans or voices depend on a parameter.
+
+    >>> planned("nose_share"), planned("prosody_rate"), planned("blink_interval")
+    (False, True, False)
+    """
+    extra: Any = Parameters.model_fields[name].json_schema_extra
+    return name not in NOT_PLANNED and extra["level"] not in ("output", "face")
+
+
+def in_force(p: Parameters) -> dict[str, Setting]:
+    """The value in force of every parameter: set, derived, or as it is by itself; none where that is not one value."""
+    low = derive(p)
+    values = {}
+    for name in Parameters.model_fields:
+        value = getattr(p, name)
+        value = getattr(low, name, None) if value is None else value
+        if value is not None:
+            values[name] = value
+    return values
+
+
+def _keep(performance: Performance, who: Performer, after: Parameters) -> None:
+    """Whoever joins later begins with the same."""
+    ensemble = performance.company.ensemble
+    voice = next(name for name, one in ensemble.performers.items() if one is who)
+    if voice:
+        ensemble.cast = {**ensemble.cast, voice: after}
+    else:
+        ensemble.parameters = after
+    performance.settings[voice] = after
+
+
+def _write(performance: Performance, who: Performer, changes: Mapping[str, Setting | None], glide: float) -> None:
+    body = who.state.body
+    onset = snap(max(0.0, performance.now + performance.timing.nudge))
+    sounds = heard(performance.decisions.made.get(body, who.state.parameters), who.state.parameters)
+    events = []
+    for number, (name, value) in enumerate(changes.items(), 1):
+        last = number == len(changes)
+        numeric = isinstance(value, int | float) and not isinstance(value, bool)
+        events.append(
+            Parameter(
+                id=f"{body}.{name}", body=body, onset=onset, duration=0.0, origin="performer", rule="moved", name=name,
+                value=snap(float(value)) if numeric and value is not None else None,
+                text="" if numeric or value is None else str(value).lower() if isinstance(value, bool) else str(value),
+                glide=snap(glide), heard=sounds if last and sounds != performance.decisions.heard[body] else None,
+            )
+        )  # fmt: skip
+    performance.decisions.decide(list(events))
