@@ -9,10 +9,13 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from typing import BinaryIO
 
+from scorebreath.curves.performed import performed
+from scorebreath.score.cutting import endings
 from scorebreath.score.document import Group, Score
+from scorebreath.score.events import Utterance
 from scorebreath.score.spoken import SpokenGroup, spoken_groups
 from scorebreath.units import snap
 
@@ -27,6 +30,8 @@ COLUMNS = (
 to the last of them. A cell is empty where the Score has no such event.
 """
 
+CUT = "cut"
+"""How a group closes that was cut off; one that never began has neither times nor a closing."""
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
@@ -37,10 +42,12 @@ def write(stream: BinaryIO, score: Score) -> None:
         stream: Takes bytes.
         score: Any Score.
     """
-    spoken = spoken_groups(score)
+    spoken = spoken_groups(performed(score))
+    ends = endings(score.events)
+    broken = {said.id for said in score.of(Utterance) if said.id in ends and ends[said.id].shortens(said)}
     stream.write(_line(COLUMNS))
     for group in score.groups:
-        cells = _cells(group, spoken[group.id])
+        cells = _cells(group, spoken[group.id], broken)
         stream.write(_line([cells[column] for column in COLUMNS]))
 
 
@@ -50,7 +57,7 @@ def _line(cells: Sequence[str | int]) -> bytes:
     return (text.getvalue().removesuffix("\r\n") + "\n").encode("utf-8", "replace")
 
 
-def _cells(group: Group, spoken: SpokenGroup) -> Mapping[str, str | int]:
+def _cells(group: Group, spoken: SpokenGroup, broken: Set[str]) -> Mapping[str, str | int]:
     breath, begin = spoken.inspiration, spoken.onset
     first = spoken.utterances[0] if spoken.utterances else None
     last = spoken.utterances[-1] if spoken.utterances else None
@@ -70,7 +77,7 @@ def _cells(group: Group, spoken: SpokenGroup) -> Mapping[str, str | int]:
         "to_volume": _number(breath.to_volume if breath else None),
         "end_volume": _number(spoken.spent[-1].to_volume if spoken.spent else None),
         "sentence_type": group.sentence_type,
-        "closing": "" if last is None else last.closing,
+        "closing": "" if last is None else CUT if last.id in broken else last.closing,
         "cut_site": group.cut.site,
         "cut_rule": _safe(group.cut.rule),
         "source_start": group.source[0],

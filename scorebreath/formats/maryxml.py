@@ -14,6 +14,7 @@ from types import MappingProxyType
 from typing import BinaryIO
 from xml.sax.saxutils import escape, quoteattr
 
+from scorebreath.curves.performed import performed
 from scorebreath.formats.mary_phones import Syllable, name_of, sounds, syllables_of, written
 from scorebreath.formats.mary_words import SENTENCE, Said, said
 from scorebreath.score.document import Score
@@ -111,6 +112,7 @@ def write(stream: BinaryIO, score: Score) -> None:
         stream: Takes bytes.
         score: Any Score; without words it is a document without text, but for the marks of what is felt.
     """
+    score = performed(score)
     out = _Out(stream)
     out.text.write('<?xml version="1.0" encoding="UTF-8"?>\n')
     out.open("maryxml", version=VERSION, xmlns=NAMESPACE, xml_lang=score.language)

@@ -9,6 +9,7 @@ from itertools import pairwise
 from types import MappingProxyType
 from typing import Any
 
+from scorebreath.curves.performed import performed
 from scorebreath.score.document import Score
 from scorebreath.score.events import Blink, Brow, Emotion, Event, Gaze, Head, Utterance
 from scorebreath.units import snap
@@ -60,6 +61,7 @@ def face_rows(score: Score, body: str | None = None) -> Iterator[FaceRow]:
         score: Any Score.
         body: Whose; None: everybody's.
     """
+    score = performed(score)
     said = {each.id: _Said(score.of(Utterance, each.id)) for each in score.bodies}
     for event in sorted(_events(score, body), key=lambda event: (event.onset, event.type, event.id)):
         look = LOOKS[event.type]

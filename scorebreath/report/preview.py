@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scorebreath.curves.curve_set import CurveSet
+from scorebreath.curves.performed import performed
 from scorebreath.errors import InputError
 from scorebreath.report.compact import BLOCK, CompactSound
 from scorebreath.report.rows import clock, groups_counted
@@ -115,12 +116,13 @@ def _data(score: Score, curve_set: CurveSet, shown: float) -> str:
     """The page's data as JSON in which no `<` can end the script it stands in."""
     times = np.arange(int(np.ceil(shown * FPS)) + 1) / FPS
     values = curve_set.sample(times, CHANNELS)
+    breaths = performed(score).of(Inspiration, curve_set.body)
     data = {
         "fps": FPS,
         "shown": shown,
         "channels": {name: _packed(values[:, column]) for column, name in enumerate(CHANNELS)},
         "text": transcript(score, curve_set.body, shown),
-        "inspired": sorted([e.onset, snap(e.end)] for e in score.of(Inspiration, curve_set.body) if e.onset < shown),
+        "inspired": sorted([e.onset, snap(e.end)] for e in breaths if e.onset < shown),
     }
     return json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")
 

@@ -8,19 +8,21 @@ strip above them, so that a picture takes about as long to draw whatever the tex
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from typing import BinaryIO
 
 import numpy as np
 
 from scorebreath.curves.curve_set import CurveSet
+from scorebreath.curves.performed import performed
 from scorebreath.report.acts import Act, acts
 from scorebreath.report.bands import FAINT, FILL, HAIR, INK, PAPER, Band
 from scorebreath.report.face_lanes import HEIGHT, FaceLanes, has_face
+from scorebreath.report.marks import DASH, Mark, broken_off, marks
 from scorebreath.report.rows import Breath, Row, breaths, clock, groups_counted, place, wrap
 from scorebreath.report.sheet import Sheet
 from scorebreath.score.document import Score
-from scorebreath.score.events import Inspiration, Utterance
+from scorebreath.score.events import Command, Cut, Inspiration, Utterance, WarningEvent
 
 MOST_ROWS, MOST_FACED_ROWS, ROW_SECONDS, SHORTEST_ROW = 8, 5, 15.0, 5.0
 """A row with a face is higher: fewer of them make a picture of about the same size."""
@@ -34,44 +36,65 @@ SOUND = Band(top=214, bottom=304, low=-50.0, high=8.0)
 LUNG_TOP, LUNG_BOTTOM, STRIP_TOP, STRIP_BOTTOM = 56, 196, 10, 100
 LABEL, WORDS, WORD_LINE, WORD_LINES, WORD_SIZE, FACE = 38, 350, 24, 3, 19, 408
 
+MARKS, MARK_LINE, MARK_LINES, MARK_SIZE = 49, 20, 2, 16
+"""pixels that a lane of marks adds to a row"""
+
 DETAIL, INSPIRED = "#f1f4f8", "#c9e0f2"
 SPEECH, BREATH = "#3b8fc4", "#d55e00"
 """A blue and the vermilion of Okabe and Ito's palette: no colour vision mistakes one for the other."""
+TOLD: Mapping[str, str] = {Cut.type: "#a4161a", WarningEvent.type: "#a4161a", Command.type: "#6a4f99"}
+"""Inks of marks; the rest in the common one."""
 LEGEND = (("breath sound", BREATH), ("speech sound", SPEECH), ("breathing in", INSPIRED), ("lung volume", INK))
 
 
 def write_timeline(stream: BinaryIO, score: Score, curve_set: CurveSet) -> None:
-    """Draw a Score as PNG, 2400 pixels wide and at most 4065 high.
+    """Draw a Score as PNG, 2400 pixels wide and at most 4310 high.
 
     Args:
         stream: Takes bytes.
         score: Any Score.
         curve_set: The curves of the body to be drawn.
     """
+    told, broken = marks(score, curve_set.body), broken_off(score, curve_set.body)
+    score = performed(score)
     groups, done = breaths(score, curve_set.body), acts(score, curve_set.body)
     longest = min(ROW_SECONDS, max(SHORTEST_ROW, score.duration))
     faced = has_face(score, curve_set.body)
     most, high = (MOST_FACED_ROWS, ROW + HEIGHT) if faced else (MOST_ROWS, ROW)
+    high += MARKS if told else 0
     rows = wrap(score.duration, [group.onset for group in groups], longest, most)
     face = FaceLanes(score, curve_set, rows) if faced else None
     partial = rows[-1].end < score.duration
     top = HEADER + (STRIP if partial else 0)
     sheet = Sheet(WIDTH, top + high * len(rows), PAPER)
-    _header(sheet, score, curve_set, groups, rows)
+    _header(sheet, score, curve_set, groups, rows, told=told)
     if partial:
         _strip(sheet, curve_set, rows)
     rate = (WIDTH - LEFT - RIGHT) / longest
     for number, row in enumerate(rows):
         above = top + high * number
-        _Row(sheet, curve_set, above, row, rate).draw(score, groups, done)
+        drawn = _Row(sheet, curve_set, above, row, rate, broken=broken)
+        drawn.draw(score, groups, done)
+        if told:
+            drawn.marks(told, above + high - MARKS)
         if face:
             face.draw(sheet, row, LEFT, above + FACE, rate)
     sheet.png(stream)
 
 
-def _header(sheet: Sheet, score: Score, curve_set: CurveSet, groups: Sequence[Breath], rows: Sequence[Row]) -> None:
+def _header(
+    sheet: Sheet,
+    score: Score,
+    curve_set: CurveSet,
+    groups: Sequence[Breath],
+    rows: Sequence[Row],
+    *,
+    told: Sequence[Mark],
+) -> None:
     voice = next(body.voice.voice for body in score.bodies if body.id == curve_set.body)
     facts = [clock(score.duration), groups_counted(len(groups)), f"model {score.model}", f"voice {voice}"]
+    if warned := sum(mark.kind == WarningEvent.type for mark in told):
+        facts.append(f"{warned} warning{'' if warned == 1 else 's'}")
     if rows[-1].end < score.duration:
         facts.append(f"the first {clock(rows[-1].end)} in detail")
     sheet.text(LEFT, 56, "Speech and breath", 30, INK, weight="bold")
@@ -104,9 +127,18 @@ def _strip(sheet: Sheet, curve_set: CurveSet, rows: Sequence[Row]) -> None:
 class _Row:
     """One row of the timeline."""
 
-    def __init__(self, sheet: Sheet, curve_set: CurveSet, top: float, row: Row, pixels_a_second: float) -> None:
+    def __init__(
+        self,
+        sheet: Sheet,
+        curve_set: CurveSet,
+        top: float,
+        row: Row,
+        pixels_a_second: float,
+        *,
+        broken: Set[tuple[str, float]],
+    ) -> None:
         self.sheet, self.curves, self.top, self.time = sheet, curve_set, top, row
-        self.rate = pixels_a_second
+        self.rate, self.broken = pixels_a_second, broken
         self.lung = _lung_band(curve_set, LUNG_TOP, LUNG_BOTTOM)
 
     def draw(self, score: Score, groups: Sequence[Breath], done: Sequence[Act]) -> None:
@@ -123,6 +155,18 @@ class _Row:
         labels = place([(text, x) for text, x, _ in words], WORD_SIZE, WORD_LINES)
         for label, (_, _, color) in zip(labels, words, strict=True):
             self.sheet.text(label.x, self.top + WORDS + WORD_LINE * label.line, label.text, WORD_SIZE, color)
+
+    def marks(self, told: Sequence[Mark], top: float) -> None:
+        """What was done to the performance, in a lane of its own; cuts go through the whole row."""
+        here = [mark for mark in told if self._begins(mark.time)]
+        self.sheet.text(LEFT - 14, top + MARK_LINE, "performer", 15, FAINT, align="right")
+        self.sheet.line([LEFT, self._x(self.time.end)], top, HAIR, 1, layer=0)
+        labels = place([(mark.text, self._x(mark.time)) for mark in here], MARK_SIZE, MARK_LINES)
+        for mark, label in zip(here, labels, strict=True):
+            color = TOLD.get(mark.kind, INK)
+            above = self.top + LABEL - 16 if mark.kind == Cut.type else top
+            self.sheet.line(label.x, [above, top + MARK_LINE * (label.line + 1)], color, 1.8, layer=2)
+            self.sheet.text(label.x + 5, top + MARK_LINE * (label.line + 1) - 2, label.text, MARK_SIZE, color)
 
     def _x(self, time: float) -> float:
         return LEFT + (time - self.time.start) * self.rate
@@ -179,13 +223,14 @@ class _Row:
             for word in utterance.words:
                 onset = utterance.onset + word.onset
                 if self._begins(onset):
-                    yield word.text, self._x(onset)
+                    yield word.text + DASH * ((utterance.id, word.onset) in self.broken), self._x(onset)
 
 
 def _lung_band(curve_set: CurveSet, top: float, bottom: float) -> Band:
     """A band from just below the Score's lowest volume to its highest, never narrower than a tenth."""
-    breathing = curve_set.sources.breathing
-    volumes = np.concatenate((breathing.from_volume, breathing.to_volume, [breathing.person.resting_volume]))
+    parts = [curve_set.scenes.sources(number).breathing for number in range(len(curve_set.scenes))]
+    moved = [volumes for breathing in parts for volumes in (breathing.from_volume, breathing.to_volume)]
+    volumes = np.concatenate((*moved, [parts[0].person.resting_volume]))
     low, high = float(volumes.min()), float(volumes.max())
     return Band(top=top, bottom=bottom, low=low - 0.02, high=max(high, low + 0.08))
 

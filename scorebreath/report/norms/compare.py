@@ -9,6 +9,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from scorebreath.curves.curve_set import curves
+from scorebreath.curves.performed import performed
 from scorebreath.report.norms.figures import Array, Circumstances, Word, circumstances
 from scorebreath.report.norms.listening import Heard, Samples, listen
 from scorebreath.report.norms.material import Material
@@ -89,13 +90,14 @@ def norms(
     """
     curve_set = curves(score, body)
     chosen = next(each for each in score.bodies if each.id == curve_set.body)
-    heard = sound if sound is None or isinstance(sound, Heard) else listen(score, sound, rate, chosen.id)
-    material = Material(score, chosen, curve_set, circumstances(score, chosen), heard)
+    done = performed(score)
+    heard = sound if sound is None or isinstance(sound, Heard) else listen(done, sound, rate, chosen.id)
+    material = Material(done, chosen, curve_set, circumstances(done, chosen), heard)
     return Norms(
         body=chosen.id,
         person=chosen.person,
         who=material.who,
-        states=tuple(sorted({event.name for event in score.of(State, chosen.id)})),
+        states=tuple(sorted({event.name for event in done.of(State, chosen.id)})),
         duration=score.duration,
         groups=len(material.first),
         heard=heard,
