@@ -102,10 +102,6 @@ class Reader:
                 halves.until = None
                 self._move(control, channel, halves.coarse, fine=False)
 
-    def deadline(self) -> float | None:
-        """When `expire` has something to do; None: not as it is."""
-        return min((halves.until for halves in self._halves.values() if halves.until is not None), default=None)
-
     def take(self) -> tuple[tuple[Move, ...], tuple[Control, ...]]:
         """What was moved and pressed since the last time."""
         moves, presses = tuple(self._moves.values()), tuple(self._presses)
@@ -180,10 +176,6 @@ class Learner:
         if self._first is None or now < self._first[2]:
             return None
         return self._bound("cc", *self._first[:2])
-
-    def deadline(self) -> float | None:
-        """When `expire` has something to say."""
-        return self._first[2] if self._first else None
 
     def _bound(self, source: Source, channel: int, number: int) -> Control:
         return Control(

@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from types import TracebackType
 from typing import Any, Self
 
 from scorebreath.errors import EnvironmentFailure
 from scorebreath.live.controls.mapping import Control, Mapping
 from scorebreath.live.controls.midi_control import MidiControl, Said
-from scorebreath.live.controls.midi_ports import Driver, KeptPort, Port, RtMidi
+from scorebreath.live.controls.midi_ports import Driver, Input, KeptPort, RtMidi
 from scorebreath.live.desk import Desk
 
 LOOKING = 0.25
 """s between two looks whether ports come or go"""
-AFRESH = 5.0
-"""s between two looks with a new client, while a port is away"""
 LEAST = 0.004
-"""s between two drains: of a flood of messages, this many a second at most are done for each control"""
+"""s between two looks at what came: of a flood of messages, this many a second at most are done for each control"""
 
 
 class MidiServer:
@@ -53,11 +51,10 @@ class MidiServer:
         """
         self._desk, self._wanted, self._output_wanted, self._wait, self._api = desk, port, output, wait, api
         self._mapping, self._said, self._learned, self._driver = mapping, said, learned, driver
-        self._event = threading.Event()
         self._stopping = False
         self._thread: threading.Thread | None = None
         self._kept: list[KeptPort] = []
-        self._own: Port | None = None
+        self._own: Input | None = None
         self.control: MidiControl
         """learning, the mapping and the counts; once started"""
 
@@ -78,9 +75,7 @@ class MidiServer:
         if self._thread:
             return
         driver = self._driver or RtMidi(self._api)
-        self.control = MidiControl(
-            self._desk, self._mapping, said=self._said, learned=self._learned, wake=self._event.set
-        )
+        self.control = MidiControl(self._desk, self._mapping, said=self._said, learned=self._learned)
         try:
             self._open(driver)
         except Exception:
@@ -95,7 +90,6 @@ class MidiServer:
         if not self._thread:
             return
         self._stopping = True
-        self._event.set()
         self._thread.join()
         self._thread = None
 
@@ -109,17 +103,15 @@ class MidiServer:
         self.stop()
 
     def _open(self, driver: Driver) -> None:
-        hears = self.control.feed
         if self._wanted:
-            self._kept.append(KeptPort(driver, "input", self._wanted, self._said, hears))
+            self._kept.append(KeptPort(driver, "input", self._wanted, self._said))
         else:
             try:
-                self._own = driver.open_virtual(hears)
+                self._own = driver.open_virtual()
             except (OSError, NotImplementedError) as error:
                 raise EnvironmentFailure(f"MIDI: no port of our own can be opened: {error}") from None
         if self._output_wanted:
-            self._output = KeptPort(driver, "output", self._output_wanted, self._said)
-            self._kept.append(self._output)
+            self._kept.append(KeptPort(driver, "output", self._output_wanted, self._said))
         for kept in self._kept:
             if self._wait:
                 kept.poll()
@@ -138,29 +130,24 @@ class MidiServer:
             driver.forget()
 
     def _serve(self, driver: Driver) -> None:
-        looked = afresh = time.monotonic()
+        looked = time.monotonic()
         while not self._stopping:
-            self._event.wait(self._patience(looked))
-            self._event.clear()
+            for message in self._received():
+                self.control.feed(message)
             for message in self.control.drain():
-                self._tell(message)
+                for kept in self._kept:
+                    kept.send(message)
             now = time.monotonic()
             if self._kept and now - looked >= LOOKING:
                 looked = now
-                if isinstance(driver, RtMidi) and now - afresh >= AFRESH and not all(kept.name for kept in self._kept):
-                    afresh = now
-                    driver.forget()
                 come = [kept.poll() for kept in self._kept]  # every one is looked at
                 if any(come):
                     self.control.refresh()
             time.sleep(LEAST)
         self._close(driver)
 
-    def _patience(self, looked: float) -> float:
-        deadline = self.control.deadline()
-        least = looked + LOOKING if deadline is None else min(looked + LOOKING, deadline)
-        return max(0.0, least - time.monotonic())
-
-    def _tell(self, message: Any) -> None:
-        if self._output_wanted:
-            self._output.send(message)
+    def _received(self) -> Iterator[Any]:
+        if self._own:
+            yield from self._own.receive()
+        for kept in self._kept:
+            yield from kept.receive()

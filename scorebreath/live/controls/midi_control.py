@@ -49,7 +49,6 @@ class MidiControl:
         said: Said = lambda text: None,
         learned: Callable[[Control], None] = lambda control: None,
         steady: Callable[[], float] = time.monotonic,
-        wake: Callable[[], None] = lambda: None,
     ) -> None:
         """Put knobs on a desk.
 
@@ -59,9 +58,8 @@ class MidiControl:
             said: Told what people should know.
             learned: Told of every control that was learned.
             steady: s on a clock that never jumps.
-            wake: Called when `drain` has something to do.
         """
-        self._desk, self._said, self._learned, self._steady, self._wake = desk, said, learned, steady, wake
+        self._desk, self._said, self._learned, self._steady = desk, said, learned, steady
         self._lock = threading.Lock()
         self._mapping = mapping or default_mapping()
         self._reader = Reader(self._mapping)
@@ -116,13 +114,6 @@ class MidiControl:
                 self._bind(self._learner.offer(touch, now))
             else:
                 self._reader.feed(touch, now)
-        self._wake()
-
-    def deadline(self) -> float | None:
-        """When `drain` has something to do, as it is now; None: not before the next message or change."""
-        with self._lock:
-            times = (self._reader.deadline(), self._learner.deadline() if self._learner else None)
-            return min((time for time in times if time is not None), default=None)
 
     def drain(self) -> list[object]:
         """Do what was moved and pressed since the last time; returns messages for the controller."""
@@ -156,7 +147,6 @@ class MidiControl:
             with self._lock:
                 for name, value in values.items():
                     self._feedback.changed(body, name, value, None)
-        self._wake()
 
     def _attempt(self, control: Control, does: Callable[[], None]) -> None:
         try:
@@ -223,7 +213,6 @@ class MidiControl:
                 if control.parameter == name and control != mover and concerns(control, body, self._bodies):
                     grip.holds = not control.takeover
             self._feedback.changed(body, name, value, mover)
-        self._wake()
 
     def _mover(self, body: str, name: str, value: Setting) -> Control | None:
         echoes = self._echoes.get((body, name))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, Protocol
@@ -12,33 +13,51 @@ from scorebreath.errors import EnvironmentFailure, InputError, MissingExtraError
 Direction = Literal["input", "output"]
 VIRTUAL = "scorebreath"
 """Our own port, that other programs connect to."""
+AFRESH = 5.0
+"""s between two tries, where there is no MIDI"""
+_AT_A_TIME = 4096
 _ADDRESS = re.compile(r" \d+:\d+$")
 """of ALSA: another one each time that a device is plugged in"""
 
 
-class Port(Protocol):
-    """An open port of mido's."""
+class Input(Protocol):
+    """An open input."""
 
     name: str
+
+    def receive(self) -> list[Any]:
+        """Messages of mido's that came since the last time, without waiting."""
 
     def close(self) -> None:
         """Let go of it."""
 
+
+class Output(Protocol):
+    """An open output."""
+
+    name: str
+
     def send(self, message: Any) -> None:
-        """Send, where it is an output."""
+        """Send one message."""
+
+    def close(self) -> None:
+        """Let go of it."""
 
 
 class Driver(Protocol):
-    """Where ports come from."""
+    """Where ports come from. Everything here may raise OSError: the port, or the system of MIDI, is gone."""
 
     def names(self, direction: Direction) -> tuple[str, ...]:
-        """Ports there are now; OSError: the system of MIDI is gone."""
+        """Ports there are now."""
 
-    def open(self, direction: Direction, name: str, hears: Callable[[Any], None] | None) -> Port:
-        """Open one; OSError: it cannot be opened."""
+    def open_input(self, name: str) -> Input:
+        """Open one."""
 
-    def open_virtual(self, hears: Callable[[Any], None]) -> Port:
-        """Open our own input; OSError: it cannot be opened."""
+    def open_output(self, name: str) -> Output:
+        """Open one."""
+
+    def open_virtual(self) -> Input:
+        """Open an input of our own, that other programs connect to."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,16 +69,19 @@ class PortNames:
 
 
 class RtMidi:
-    """The driver by python-rtmidi.
+    """The driver by mido and python-rtmidi.
 
     It keeps a client of its own to ask for names: mido makes two for every question, which stops Python for 30 ms.
+    Of a JACK server that died, clients go on telling the old names, and libjack crashes if a new one is tried beside
+    them: until it is closed, such a controller is only silent.
     """
 
-    def __init__(self, api: str = "") -> None:
+    def __init__(self, api: str = "", steady: Callable[[], float] = time.monotonic) -> None:
         """Load it.
 
         Args:
             api: `UNIX_JACK`, `LINUX_ALSA`, `MACOSX_CORE`, `WINDOWS_MM`; empty: the first that works.
+            steady: s on a clock that never jumps.
 
         Raises:
             MissingExtraError: python-rtmidi is not installed.
@@ -69,40 +91,86 @@ class RtMidi:
 
         self._backend = mido.Backend("mido.backends.rtmidi", api=api or None)
         try:
-            self._module = self._backend.module
+            module = self._backend.module
         except ImportError:
             raise MissingExtraError("MIDI", "live") from None
-        known = self._module.get_api_names()
+        known = module.get_api_names()
         if api and api not in known:
             raise EnvironmentFailure(f"MIDI: no API is called {api!r} (there are {', '.join(known)})")
-        self._api = api
+        self._rtmidi = module.rtmidi
+        self._api = getattr(self._rtmidi, f"API_{api or 'UNSPECIFIED'}")
         self._clients: dict[Direction, Any] = {}
+        self._steady, self._asked, self._gone = steady, 0.0, ""
 
     def names(self, direction: Direction) -> tuple[str, ...]:
         """Ports there are now."""
-        if direction not in self._clients:
-            rtmidi = self._module.rtmidi
-            kind = rtmidi.MidiIn if direction == "input" else rtmidi.MidiOut
-            self._clients[direction] = kind(getattr(rtmidi, f"API_{self._api or 'UNSPECIFIED'}"))
-        return tuple(self._clients[direction].get_ports())
+        now = self._steady()
+        if self._gone and now - self._asked < AFRESH:
+            raise OSError(self._gone)
+        self._asked = now
+        try:
+            if direction not in self._clients:
+                kind = self._rtmidi.MidiIn if direction == "input" else self._rtmidi.MidiOut
+                self._clients[direction] = kind(self._api)
+            names = tuple(self._clients[direction].get_ports())
+        except OSError as error:
+            self._gone = str(error)
+            raise
+        self._gone = ""
+        return names
 
     def forget(self) -> None:
-        """Ask with a new client next time: the old one may belong to a server that is gone."""
+        """Let go of the clients that ask for names."""
         for client in self._clients.values():
             client.delete()
         self._clients.clear()
 
-    def open(self, direction: Direction, name: str, hears: Callable[[Any], None] | None) -> Port:
-        """Open a port."""
-        port: Port = (
-            self._backend.open_input(name, callback=hears) if direction == "input" else self._backend.open_output(name)
-        )
+    def open_input(self, name: str) -> Input:
+        """Open an input."""
+        client = self._rtmidi.MidiIn(self._api)
+        try:
+            client.open_port(client.get_ports().index(name))
+        except (OSError, ValueError):  # it went between the look and now
+            client.delete()
+            raise OSError(f"{name!r} cannot be opened") from None
+        return _PolledInput(client, name)
+
+    def open_output(self, name: str) -> Output:
+        """Open an output."""
+        port: Output = self._backend.open_output(name)
         return port
 
-    def open_virtual(self, hears: Callable[[Any], None]) -> Port:
+    def open_virtual(self) -> Input:
         """Open our own input."""
-        port: Port = self._backend.open_input(VIRTUAL, virtual=True, client_name=VIRTUAL, callback=hears)
-        return port
+        client = self._rtmidi.MidiIn(self._api, VIRTUAL)
+        client.open_virtual_port(VIRTUAL)
+        return _PolledInput(client, VIRTUAL)
+
+
+class _PolledInput:
+    """An input that is asked, and never calls.
+
+    mido's inputs are called from the thread of MIDI, which for JACK is that of the sound: it would wait for Python's
+    lock, and the sound with it; and closing one, which holds the lock and waits for that thread, could last for ever.
+    """
+
+    def __init__(self, client: Any, name: str) -> None:
+        self._client, self.name = client, name
+
+    def receive(self) -> list[Any]:
+        from mido import Message
+
+        messages: list[Any] = []
+        while len(messages) < _AT_A_TIME and (found := self._client.get_message()):
+            try:
+                messages.append(Message.from_bytes(found[0]))
+            except ValueError:  # no MIDI
+                continue
+        return messages
+
+    def close(self) -> None:
+        self._client.close_port()
+        self._client.delete()
 
 
 def port_names(api: str = "") -> PortNames:
@@ -139,14 +207,7 @@ def find_port(wanted: str, names: Sequence[str]) -> str | None:
 class KeptPort:
     """A port that may be unplugged and plugged in again."""
 
-    def __init__(
-        self,
-        driver: Driver,
-        direction: Direction,
-        wanted: str,
-        said: Callable[[str], None],
-        hears: Callable[[Any], None] | None = None,
-    ) -> None:
+    def __init__(self, driver: Driver, direction: Direction, wanted: str, said: Callable[[str], None]) -> None:
         """Keep a port open; `poll` does it.
 
         Args:
@@ -154,10 +215,10 @@ class KeptPort:
             direction: Which way.
             wanted: Its name, or a part of it.
             said: Told when it comes and goes.
-            hears: Told of every message, where it is an input.
         """
-        self._driver, self._direction, self._wanted, self._said, self._hears = driver, direction, wanted, said, hears
-        self._port: Port | None = None
+        self._driver, self._direction, self._wanted, self._said = driver, direction, wanted, said
+        self._input: Input | None = None
+        self._output: Output | None = None
         self._name = self._name_before = ""
         self._trouble = ""
 
@@ -188,16 +249,19 @@ class KeptPort:
             names: tuple[str, ...] = self._driver.names(self._direction)
         except OSError:
             names = ()
-        if self._port and self._name not in names:
+        if self._name and self._name not in names:
             self.close()
             self._say(f"MIDI {self._direction} {self._name_before!r} is gone; waiting for it")
-        if self._port:
+        if self._name:
             return False
         name = find_port(self._wanted, names)
         if name is None:
             return False
         try:
-            self._port = self._driver.open(self._direction, name, self._hears)
+            if self._direction == "input":
+                self._input = self._driver.open_input(name)
+            else:
+                self._output = self._driver.open_output(name)
         except OSError as error:
             self._say(f"MIDI {self._direction} {name!r} cannot be opened: {error}")
             return False
@@ -205,17 +269,22 @@ class KeptPort:
         self._say(f"MIDI {self._direction} {name!r} is open")
         return True
 
+    def receive(self) -> list[Any]:
+        """Messages that came since the last time; none, while it is away."""
+        return self._input.receive() if self._input else []
+
     def send(self, message: Any) -> None:
         """Send a message, if it is there; what cannot be sent is lost."""
-        if self._port:
+        if self._output:
             try:
-                self._port.send(message)
+                self._output.send(message)
             except OSError as error:
                 self._say(f"MIDI {self._direction} {self._name!r}: {error}")
 
     def close(self) -> None:
         """Let go of it."""
-        port, self._port = self._port, None
+        port = self._input or self._output
+        self._input = self._output = None
         self._name_before, self._name = self._name, ""
         if port:
             try:

@@ -1,0 +1,89 @@
+"""A JACK server without a sound card, for tests: each has its own name, so that many may run at a time."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import shutil
+import subprocess
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import pytest
+
+_NUMBERS = itertools.count()
+_BEGINS = 20.0
+"""s that a server may take to begin"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Jack:
+    """A server that runs."""
+
+    name: str
+    env: Mapping[str, str]
+    """what a program's environment needs, so that it finds this server and begins no other"""
+    process: subprocess.Popen[bytes]
+
+
+@contextmanager
+def jack_server(rate: int = 48000, period: int = 256) -> Iterator[Jack]:
+    """Start `jackd` with the dummy driver, wait until it takes clients, and end it behind.
+
+    The environment of this process points to it meanwhile. Skips the test where there is no `jackd`.
+    """
+    if not shutil.which("jackd"):
+        pytest.skip("jackd is not installed")
+    name = f"scorebreath-test-{os.getpid()}-{next(_NUMBERS)}"
+    env = {"JACK_DEFAULT_SERVER": name, "JACK_NO_START_SERVER": "1", "JACK_NO_AUDIO_RESERVATION": "1"}
+    before = {key: os.environ.get(key) for key in env}
+    command = ["jackd", "-r", "-S", "-n", name, "-d", "dummy", "-r", str(rate), "-p", str(period)]
+    process = subprocess.Popen(command, env={**os.environ, **env}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.environ.update(env)
+    try:
+        _await(process, name)
+        yield Jack(name=name, env=env, process=process)
+    finally:
+        end(process)
+        for key, value in before.items():
+            if value is None:
+                os.environ.pop(key, None)
+            else:
+                os.environ[key] = value
+
+
+def end(process: subprocess.Popen[bytes]) -> None:
+    """End a process of ours, and wait for it; does nothing the second time."""
+    if process.poll() is None:
+        process.terminate()
+        try:
+            process.wait(10.0)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+
+def _await(process: subprocess.Popen[bytes], name: str) -> None:
+    """Until it takes clients: `jack_lsp` tells, or, where there is none, a client of ours."""
+    until = time.monotonic() + _BEGINS
+    while process.poll() is None and time.monotonic() < until:
+        asked = shutil.which("jack_lsp")
+        if asked:
+            if subprocess.run([asked, "-s", name], capture_output=True, check=False).returncode == 0:
+                return
+        elif _takes_midi():
+            return
+        time.sleep(0.05)
+    pytest.fail(f"jackd does not begin (exit status {process.poll()})")
+
+
+def _takes_midi() -> bool:
+    rtmidi = pytest.importorskip("rtmidi", reason="python-rtmidi is not installed")
+    try:
+        client = rtmidi.MidiIn(rtmidi.API_UNIX_JACK)
+    except OSError:
+        return False
+    client.delete()
+    return True
