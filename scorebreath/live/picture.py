@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
@@ -13,6 +13,34 @@ from scorebreath.curves.rigs.table import rig_named
 
 EVERYBODY = "*"
 """In place of a body: all of them."""
+
+
+class Strip:
+    """Curves at a few moments in a row, worked out together when somebody asks: that is hardly dearer than one.
+
+    Args:
+        curves: Of a body.
+        times: s of the performance.
+    """
+
+    def __init__(self, curves: CurveSet, times: Sequence[float]) -> None:
+        """Nothing is sampled yet."""
+        self.curves, self.times = curves, tuple(times)
+        self._values: dict[str, tuple[tuple[str, ...], Sequence[Sequence[float]]]] = {}
+
+    def at(self, place: int, rig: str = "") -> Mapping[str, float]:
+        """What is shown at one of the times: channels by name, or a rig's columns.
+
+        Raises:
+            InputError: There is no such rig.
+        """
+        if rig not in self._values:
+            made = rig_named(rig) if rig else None
+            names = made.columns if made else self.curves.channels
+            values = made.sample(self.curves, self.times) if made else self.curves.sample(self.times)
+            self._values[rig] = names, values.tolist()
+        names, rows = self._values[rig]
+        return MappingProxyType(dict(zip(names, rows[place], strict=True)))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,12 +58,13 @@ class Picture:
     """of the frame, from 0"""
     curves: CurveSet
     """of the body, valid at `time`"""
+    strip: Strip | None = None
+    """of those curves, with `time` among its times; None: one of its own"""
 
     @cached_property
     def channels(self) -> Mapping[str, float]:
         """Every channel by its name, in the order of the table."""
-        values = self.curves.sample([self.time])[0]
-        return MappingProxyType(dict(zip(self.curves.channels, map(float, values), strict=True)))
+        return self._shown("")
 
     def rig(self, name: str) -> Mapping[str, float]:
         """Every column of a rig by its name, in the units of its table.
@@ -44,10 +73,12 @@ class Picture:
             InputError: There is no such rig.
         """
         if name not in self._rigs:
-            rig = rig_named(name)
-            values = rig.sample(self.curves, [self.time])[0]
-            self._rigs[name] = MappingProxyType(dict(zip(rig.columns, map(float, values), strict=True)))
+            self._rigs[name] = self._shown(name)
         return self._rigs[name]
+
+    def _shown(self, rig: str) -> Mapping[str, float]:
+        strip = self.strip or Strip(self.curves, [self.time])
+        return strip.at(strip.times.index(self.time), rig)
 
     @cached_property
     def _rigs(self) -> dict[str, Mapping[str, float]]:

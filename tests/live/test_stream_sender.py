@@ -13,11 +13,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from scorebreath.curves.curve_set import CurveSet
+from scorebreath.curves.curve_set import CurveSet, curves
 from scorebreath.curves.rigs.table import rig_named
 from scorebreath.errors import InputError
 from scorebreath.live.picture import Picture, Stream
-from scorebreath.live.streams.sender import LONGEST_WAIT, SAID_AGAIN, Sender
+from scorebreath.live.streams.sender import AHEAD, LONGEST_WAIT, SAID_AGAIN, Sender
+from tests.curves.faces import only
 from tests.live.pictures import START, named, whole
 
 BODIES = {"body": whole(), "body2": named("body2")}
@@ -45,9 +46,9 @@ class Keeper:
             raise self.fails
 
 
-def sender(*streams: Stream, curves: Mapping[str, CurveSet] | None = None, **options: Any) -> Sender:
+def sender(*streams: Stream, bodies: Mapping[str, CurveSet] | None = None, **options: Any) -> Sender:
     return Sender(
-        lambda: {"body": whole()} if curves is None else curves, lambda: 0.0, START, streams, **options
+        lambda: {"body": whole()} if bodies is None else bodies, lambda: 0.0, START, streams, **options
     )  # fmt: skip
 
 
@@ -124,12 +125,12 @@ def test_bodies_go_where_they_are_wanted_under_their_names() -> None:
     everybody, first, second, nobody = Keeper(), Keeper(), Keeper(), Keeper()
     hub = sender(
         Stream(target=everybody), Stream(target=first, body=""), Stream(target=second, body="body2"),
-        Stream(target=nobody, body="body3"), curves=BODIES, names={"body2": "Ada"},
+        Stream(target=nobody, body="body3"), bodies=BODIES, names={"body2": "Ada"},
     )  # fmt: skip
     assert hub.tick(0.0) == 4
     assert [(each.body, each.name) for each in everybody.got] == [("body", "scorebreath"), ("body2", "Ada")]
     assert [each.body for each in first.got + second.got] == ["body", "body2"] and not nobody.got
-    assert sender(Stream(target=everybody), curves=BODIES).tick(0.0) == 2
+    assert sender(Stream(target=everybody), bodies=BODIES).tick(0.0) == 2
     assert everybody.got[-1].name == "scorebreath-body2"
 
 
@@ -174,12 +175,12 @@ def test_curves_that_cannot_be_had_are_said_once_and_asked_for_again() -> None:
     said: list[tuple[str, str]] = []
     given: list[Mapping[str, CurveSet]] = []
 
-    def curves() -> Mapping[str, CurveSet]:
+    def had() -> Mapping[str, CurveSet]:
         return given[0]
 
     keeper = Keeper()
     hub = Sender(
-        curves,
+        had,
         lambda: 0.0,
         lambda: START,
         [Stream(target=keeper)],
@@ -194,7 +195,7 @@ def test_curves_that_cannot_be_had_are_said_once_and_asked_for_again() -> None:
 @pytest.mark.parametrize("options", [{"rate": 0.0}, {"rate": 1001}, {"lead": 6.0}, {"lead": float("nan")}])
 def test_wrong_numbers_are_refused(options: dict[str, float]) -> None:
     with pytest.raises(InputError):
-        sender(Stream(target=Keeper()), curves=BODIES, **options)
+        sender(Stream(target=Keeper()), bodies=BODIES, **options)
 
 
 @pytest.mark.parametrize("rate", [0.0, -1.0, float("nan"), 2000.0])
@@ -233,3 +234,26 @@ def test_the_thread_sends_and_closes_everything() -> None:
     assert waiter.closed == 1 == broken.closed
     assert said == ["broken: gone", "broken: cannot be closed: gone"]
     assert len(waiter.got) == seen == hub.counts[1].sent
+
+
+def test_curves_that_change_are_shown_at_once() -> None:
+    keeper = Keeper()
+    still = curves(only())
+    shown = {"body": still}
+    hub = sender(Stream(target=keeper), bodies=shown)
+    for number in range(40):
+        shown["body"] = (still, whole())[number % 7 == 3 or number > 20]
+        hub.tick(hub.time(number))
+    for number, picture in enumerate(keeper.got):
+        valid = whole() if number % 7 == 3 or number > 20 else still
+        assert list(picture.channels.values()) == valid.sample([number / 60])[0].tolist()
+        assert list(picture.rig("oculus").values()) == rig_named("oculus").sample(valid, [number / 60])[0].tolist()
+    assert len(keeper.got) == 40
+
+
+def test_curves_that_stay_are_worked_out_ahead() -> None:
+    keeper = Keeper()
+    hub = sender(Stream(target=keeper))
+    for number in range(41):
+        hub.tick(hub.time(number))
+    assert len({id(picture.strip) for picture in keeper.got}) == 1 + 40 // AHEAD

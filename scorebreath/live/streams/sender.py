@@ -16,7 +16,7 @@ from types import MappingProxyType
 
 from scorebreath.curves.curve_set import CurveSet
 from scorebreath.errors import InputError
-from scorebreath.live.picture import EVERYBODY, Picture, Stream
+from scorebreath.live.picture import EVERYBODY, Picture, Stream, Strip
 
 HIGHEST = 1000
 """pictures a second"""
@@ -24,6 +24,8 @@ LONGEST_LEAD = 5.0
 """s"""
 BACKWARD = 0.25
 """s that the clock goes back before that is taken for a jump to another place"""
+AHEAD = 8
+"""Pictures that are worked out together, while the curves stay."""
 LONGEST_WAIT = 60
 """Pictures that a target in trouble is spared at most; twice as many each time, from one on."""
 SAID_AGAIN = 600
@@ -100,6 +102,7 @@ class Sender:
         self._rate = Fraction(rate).limit_denominator(1_000_000)
         self._lead, self._latency = lead, latency
         self._lines = [_Line(stream=stream, part=_part(stream, self._rate)) for stream in streams]
+        self._strips: dict[str, Strip] = {}
         self._last: int | None = None
         self._ticks = 0
         self._curves_said = False
@@ -184,14 +187,24 @@ class Sender:
                 self._on_trouble("curves", _told(error))
             self._curves_said = True
             return []
+        self._curves_said = False
         time = self.time(number)
         return [
             Picture(
                 body=body, name=self._names.get(body, f"{NAME}-{body}" if place else NAME), time=time,
-                unix=start + time + self._latency, number=number, curves=each,
+                unix=start + time + self._latency, number=number, curves=each, strip=self._strip(body, each, number),
             )
             for place, (body, each) in enumerate(curves.items())
         ]  # fmt: skip
+
+    def _strip(self, body: str, curves: CurveSet, number: int) -> Strip:
+        """The strip that shows this picture: curves that stay are sampled ahead."""
+        before = self._strips.get(body)
+        stayed = before is not None and before.curves is curves
+        if before is None or not stayed or self.time(number) not in before.times:
+            before = Strip(curves, [self.time(number + each) for each in range(AHEAD if stayed else 1)])
+            self._strips[body] = before
+        return before
 
     def _serve(self, line: _Line, number: int, pictures: Sequence[Picture]) -> int:
         due = line.due(number)
