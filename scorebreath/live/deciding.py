@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -9,7 +10,7 @@ from scorebreath.engine.onsets import Onset, onsets
 from scorebreath.ensemble import BODY, Ensemble
 from scorebreath.expression.interrupted import FACE
 from scorebreath.live.conditions import Counts, Sounder, Told
-from scorebreath.live.heard import AS_MADE
+from scorebreath.live.heard import AS_MADE, heard
 from scorebreath.live.ledger import Ledger
 from scorebreath.media.store import MediaStore
 from scorebreath.parameters.table import Parameters
@@ -50,7 +51,8 @@ class Decisions:
         self.heard = dict.fromkeys(ledger.bodies, AS_MADE)
         """by body: what is done to its sound"""
         self.made: dict[str, Parameters] = {}
-        """by body: what its latest breaths were made with"""
+        """by body: what that was made with which is under way"""
+        self._coming: dict[str, deque[tuple[float, Parameters]]] = {}
         self._ensemble, self._media, self._clock = ensemble, media, clock
         self._breaths = 0
 
@@ -70,22 +72,45 @@ class Decisions:
                 elif isinstance(event, Parameter) and event.heard is not None:
                     self.sounder.move(event.onset, body, event.heard, event.glide)
                     self.heard[body] = event.heard
-            if any(isinstance(event, BREATHS) for event in own):
-                self.made[body] = next(
-                    who.state.parameters for who in self._ensemble.performers.values() if who.state.body == body
-                )
+            if begun := [event.onset for event in own if isinstance(event, BREATHS)]:
+                coming = self._coming.setdefault(body, deque())
+                parameters = self._parameters(body)
+                if not coming or coming[-1][1] is not parameters:
+                    coming.append((min(begun), parameters))
 
-    def catch_up(self, body: str, onset: float) -> None:
-        """What begins then is made with all that was moved: from there on the sound is as the events say."""
-        if self.heard.setdefault(body, AS_MADE) != AS_MADE:
-            self.decide(
-                [
-                    Parameter(
-                        id=f"{body}.as_made", body=body, onset=snap(max(onset, self._clock(), 0.0)), duration=0.0,
-                        rule="the plan has caught up", name="", heard=AS_MADE,
-                    )
-                ]
-            )  # fmt: skip
+    def keep_up(self, until: float) -> float:
+        """What begins until a time may be made with what was moved meanwhile: its sound is as its events say again.
+
+        Returns:
+            When to look again, s.
+        """
+        following = float("inf")
+        for body, coming in self._coming.items():
+            while coming and coming[0][0] <= until:
+                onset, made = coming.popleft()
+                self.made[body] = made
+                sounds = heard(made, self._parameters(body))
+                if self.heard.setdefault(body, AS_MADE) != sounds:
+                    self.decide(
+                        [
+                            Parameter(
+                                id=f"{body}.as_made", body=body, onset=snap(max(onset, self._clock(), 0.0)),
+                                duration=0.0, rule="what begins is made otherwise", name="", heard=sounds,
+                            )
+                        ]
+                    )  # fmt: skip
+            if coming:
+                following = min(following, coming[0][0])
+        return following
+
+    def never_happens(self, body: str, since: float) -> None:
+        """What would have begun from a time on does not."""
+        coming = self._coming.get(body)
+        while coming and coming[-1][0] >= since:
+            coming.pop()
+
+    def _parameters(self, body: str) -> Parameters:
+        return next(who.state.parameters for who in self._ensemble.performers.values() if who.state.body == body)
 
     def cut(self, body: str, at: float, targets: Sequence[str], fade: float) -> None:
         """Events end."""

@@ -26,8 +26,8 @@ from scorebreath.units import snap
 if TYPE_CHECKING:
     from scorebreath.live.performance import Performance
 
-KEPT: tuple[type[Event], ...] = (Command, Cut, Marker, Parameter, WarningEvent)
-"""Events that have no length: they end by themselves."""
+KEPT: tuple[type[Event], ...] = (Command, Cut, Parameter, WarningEvent)
+"""Events that tell what was done to the body: nothing ends them."""
 LONGEST_WORD = 0.8
 """s that an interruption waits for a word's end, at most."""
 
@@ -49,6 +49,7 @@ def interrupt(performance: Performance, who: Performer, at: float, *, fade: floa
     targets = [event.id for event in alive if _ends(event, at)]
     volume = float(performance.ledger.curves(body).sample([at], ["lung_volume"])[0, 0])
     number = performance.decisions.counts.cuts + 1
+    performance.decisions.never_happens(body, at)
     if targets:
         performance.decisions.cut(body, at, targets, fade)
     who.state = replace(
@@ -60,9 +61,11 @@ def interrupt(performance: Performance, who: Performer, at: float, *, fade: floa
 
 def _ends(event: Event, at: float) -> bool:
     """Whether an interruption ends an event."""
+    if isinstance(event, KEPT):
+        return False
     if event.onset >= at:
         return True
-    if isinstance(event, KEPT) or (isinstance(event, FACE) and not isinstance(event, ENDED)):
+    if isinstance(event, Marker) or (isinstance(event, FACE) and not isinstance(event, ENDED)):
         return False
     if isinstance(event, BREATHS):
         return snap(event.end) >= at  # one that touches, too: there is a border then in any case

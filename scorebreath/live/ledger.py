@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from scorebreath.curves.curve_set import CurveSet, curves
+from scorebreath.score.cutting import endings
 from scorebreath.score.document import Body, Group, MediaInfo, Score
 from scorebreath.score.events import EVENTS, Cut, Event, Expiration, Hold, Inspiration, Parameter
 from scorebreath.score.take import TakeWriter
@@ -166,8 +167,10 @@ class Ledger:
 
 def _window(events: list[Event], since: float) -> list[Event]:
     """Those that reach behind a time, and what is still in force there; in their order, with the cuts that end them."""
+    ends = endings(events)
     breaths = (e for e in events if e.onset < since and isinstance(e, Inspiration | Expiration | Hold))
-    last = max(breaths, key=lambda event: event.onset, default=None)
+    begun = (event for event in breaths if event.id not in ends or not ends[event.id].prevents(event))
+    last = max(begun, key=lambda event: event.onset, default=None)
     near = {event.id for event in (*_moves(events, since), last) if event is not None}
     near |= {e.id for e in events if not isinstance(e, Cut) and e.end + WIDEST >= since}
     kept: list[Event] = []

@@ -128,7 +128,8 @@ class Performance:
                 pass
             self._rest()
         self.backstage.want(READY - len(self.queue), self._flush())
-        return self._wake()
+        made = self.decisions.keep_up(now + self.timing.nudge)
+        return min(self._wake(), made - self.timing.nudge)
 
     @property
     def line(self) -> float:
@@ -276,7 +277,6 @@ class Performance:
         self.silent = turn.silent
         self.last = turn
         self.decisions.counts.groups += 1
-        self.decisions.catch_up(turn.who.state.body, turn.onset)
         self.decisions.decide([*turn.events, *turn.shown, *(following.shown if following else ())])
         if following:
             following.shown = []
@@ -361,11 +361,9 @@ class Performance:
                 continue
             if speaks and self.waits and not self.paused:
                 self._late = self.line
-            begun = who.state.time
             while who.state.time < until:
                 self.resting.add(who.state.body)
                 who.go_on(self.company.ensemble.breathing.idle(who.state))
-            self.decisions.catch_up(who.state.body, begun)
             self.decisions.decide(self.company.drain())
 
 
