@@ -60,7 +60,7 @@ class Console:
                 _write(performance, who, "cut_in")
                 orders.break_off(performance, who)
                 performance.paused = False
-            performance.hear(one)
+            performance.supply.hear(one, performance.now)
 
         self._tell(begin)
 
@@ -69,15 +69,15 @@ class Console:
         voice, piece = self._voice(body), _clean(piece)
         if voice not in self._streams:
             text = self._streams[voice] = Text(voice=voice)
-            self._tell(lambda performance: performance.hear(text))
+            self._tell(lambda performance: performance.supply.hear(text, performance.now))
         text = self._streams[voice]
-        self._tell(lambda performance: performance.go_on(text, piece))
+        self._tell(lambda performance: performance.supply.go_on(text, piece, performance.now))
 
     def end_stream(self, *, body: str = "") -> None:
         """What was streamed is complete."""
         text = self._streams.pop(self._voice(body), None)
         if text is not None:
-            self._tell(lambda performance: performance.go_on(text, None))
+            self._tell(lambda performance: performance.supply.go_on(text, None, performance.now))
 
     def command(self, name: str, *, body: str = "") -> None:
         """One of `COMMANDS`."""

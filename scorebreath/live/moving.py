@@ -47,7 +47,7 @@ def move(performance: Performance, who: Performer, changes: Mapping[str, Setting
     _keep(performance, who, after)
     _write(performance, who, changes, GLIDE if glide is None else glide)
     if any(planned(name) for name in changes):
-        ready = performance.queue and performance.due - performance.now < SOON
+        ready = performance.supply.ready and performance.due - performance.now < SOON
         performance.plan_again(keep=1 if ready else 0)
 
 

@@ -15,7 +15,6 @@ from scorebreath.units import snap
 
 if TYPE_CHECKING:
     from scorebreath.live.performance import Performance
-    from scorebreath.live.preparing import Preparer
 
 QUICK, SOFT = 0.03, 0.08
 """s in which speech fades: between two words, and within one."""
@@ -99,16 +98,7 @@ def break_off(performance: Performance, who: Performer) -> None:
 def clear(performance: Performance, _: Performer) -> None:
     """Nothing of the text is left but what is being said."""
     performance.take_back()
-    performance.queue.clear()
-    performance.generation += 1
-    generation = performance.generation
-    blend, time = performance.speaker.state.blend, performance.line
-
-    def forget(preparer: Preparer) -> None:
-        preparer.prompter.forget(blend=blend, time=time)
-        preparer.generation = generation
-
-    performance.backstage.tell(forget)
+    performance.supply.forget(blend=performance.speaker.state.blend, time=performance.line)
 
 
 def repeat(performance: Performance, _: Performer) -> None:
@@ -117,8 +107,7 @@ def repeat(performance: Performance, _: Performer) -> None:
     if performance.last is None:
         performance.tell("repeat: nothing has been said yet")
         return
-    again = replace(performance.last.prepared, generation=performance.generation)
-    performance.queue.appendleft(again)
+    performance.supply.repeat(performance.last.prepared)
 
 
 def take(performance: Performance, who: Performer) -> None:

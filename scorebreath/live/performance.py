@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import replace
 
 from scorebreath.ensemble import Performer
 from scorebreath.expression.silence import LOOK_AHEAD
@@ -23,9 +22,9 @@ from scorebreath.live.conditions import Sounder, Timing, Told
 from scorebreath.live.deciding import Decisions
 from scorebreath.live.interrupting import interrupt
 from scorebreath.live.ledger import Ledger
-from scorebreath.live.preparing import Prepared, Preparer
+from scorebreath.live.preparing import Prepared
 from scorebreath.live.prompter import ALL, NOTHING, SENTENCES
-from scorebreath.live.text import Text
+from scorebreath.live.supply import Supply
 from scorebreath.media.store import MediaStore
 from scorebreath.parameters.table import Parameters
 from scorebreath.pipeline import group_of
@@ -33,8 +32,6 @@ from scorebreath.score.events import Blink, Emotion, Event
 from scorebreath.script.marks import Mark
 from scorebreath.units import snap
 
-READY = 3
-"""Groups that are ready before they are needed: one is next, one shows the face what follows, one is in reserve."""
 SOON = 0.5
 """s before a group is due from which on an unfinished text is taken for it."""
 GLANCE = 0.25
@@ -76,14 +73,13 @@ class Performance:
         tell: Told = lambda _: None,
     ) -> None:
         """Begin: nothing sounds yet."""
-        self.company, self.backstage, self.ledger = company, backstage, ledger
+        self.company, self.ledger = company, ledger
         self.timing, self.tell = timing, tell
         self.now = -timing.ahead
         self.decisions = Decisions(company.ensemble, ledger, sounder, media, clock=lambda: self.now, tell=tell)
         self.paused = self.ending = False
         self.over: float | None = None
-        self.queue: deque[Prepared] = deque()
-        self.generation = 0
+        self.supply = Supply(backstage, self.now)
         self.last: Turn | None = None
         """the group that was decided last"""
         self.silent = lead
@@ -99,8 +95,6 @@ class Performance:
         """by body: what was set at the beginning"""
         self.acts = 0
         """commands that were acts"""
-        self.fed = self.now
-        """s; when text came last"""
         self._tail = tail
         self._next: Turn | None = None
         self._late: float | None = None
@@ -121,13 +115,15 @@ class Performance:
         self.now = now
         while self.inbox:
             self.inbox.popleft()(self)
-        self.backstage.want(READY - len(self.queue), self._flush())
-        self._collect()
+        self.supply.want(self._flush())
+        for failed in self.supply.collect():
+            self.decisions.counts.unspoken += 1
+            self.decisions.warn("unspoken", f"{failed.problem}: {_shown(failed.group.text)}")
         if self.over is None:
             while self._decide_next():
                 pass
             self._rest()
-        self.backstage.want(READY - len(self.queue), self._flush())
+        self.supply.want(self._flush())
         made = self.decisions.keep_up(now + self.timing.nudge)
         return min(self._wake(), made - self.timing.nudge)
 
@@ -155,11 +151,6 @@ class Performance:
         line = self._next.before[1] if self._next else self.line
         return min(self.silent - self.timing.reaction - self.timing.margin, line - self.timing.ahead)
 
-    @property
-    def waits(self) -> bool:
-        """Whether the text that there is has not been prepared yet."""
-        return not self.queue and not self.backstage.starved and not self.backstage.idle
-
     def _wake(self) -> float:
         if self.over is not None:
             return self.over
@@ -169,26 +160,9 @@ class Performance:
 
     def _flush(self) -> int:
         """How much of an unfinished text is taken: the more, the more it is needed."""
-        if self.queue or (self.due > self.now + SOON):
+        if self.supply.ready or self.due > self.now + SOON:
             return NOTHING
-        return ALL if self.now - self.fed > self.timing.patience else SENTENCES
-
-    def hear(self, text: Text) -> None:
-        """There is something to say, behind what there is already."""
-        self.fed = self.now
-        self.backstage.tell(lambda preparer: preparer.prompter.texts.append(text))
-
-    def go_on(self, text: Text, piece: str | None) -> None:
-        """A text goes on; None: it is complete."""
-        self.fed = self.now
-
-        def read(preparer: Preparer) -> None:
-            if piece is None:
-                text.complete = True
-            else:
-                text.waiting.append(piece)
-
-        self.backstage.tell(read)
+        return ALL if self.now - self.supply.fed > self.timing.patience else SENTENCES
 
     def parameters(self, voice: str) -> Parameters:
         """Of whoever speaks with a voice, or would."""
@@ -197,20 +171,12 @@ class Performance:
 
     # -- groups
 
-    def _collect(self) -> None:
-        for made in self.backstage.collect():
-            if made.generation != self.generation:
-                continue
-            if made.problem:
-                self.decisions.counts.unspoken += 1
-                self.decisions.warn("unspoken", f"{made.problem}: {_shown(made.group.text)}")
-                continue
-            self.queue.append(made)
-
     def _decide_next(self) -> bool:
         """Decide a group, if it is time for it."""
         if self.paused or self.now < self.due:
             return False
+        if self._next is not None and self._next.onset < self.now + self.timing.ahead - self.timing.margin:
+            self.take_back()  # too late for it to happen as it is placed
         turn = self._next or self._placed(now=True)
         if turn is None:
             return self._end()
@@ -228,13 +194,14 @@ class Performance:
         return True
 
     def _same_body(self, turn: Turn) -> bool:
-        return bool(self.queue) and self.queue[0].group.voice == turn.prepared.group.voice
+        ready = self.supply.ready
+        return bool(ready) and ready[0].group.voice == turn.prepared.group.voice
 
     def _placed(self, *, now: bool) -> Turn | None:
         """The next group that is ready, placed."""
-        if not self.queue:
+        if not self.supply.ready:
             return None
-        prepared = self.queue.popleft()
+        prepared = self.supply.ready.popleft()
         if now:
             self._make_way(prepared)
         return self.company.place(prepared)
@@ -271,8 +238,7 @@ class Performance:
     def _decide_turn(self, turn: Turn, following: Turn | None = None) -> None:
         """What was placed happens."""
         if self.last is not None:
-            said = self.last.prepared.group
-            self.backstage.tell(lambda preparer: preparer.prompter.done(said))
+            self.supply.said(self.last.prepared.group)
         self.ledger.group(group_of(turn.spoken, turn.who.state.body), turn.prepared.media)
         self.silent = turn.silent
         self.last = turn
@@ -287,7 +253,7 @@ class Performance:
         if turn is None:
             return
         self.company.take_back(turn)
-        self.queue.appendleft(turn.prepared)
+        self.supply.ready.appendleft(turn.prepared)
         body = turn.who.state.body
         lost = [event for event in self.ledger.near(body) if _emotional(event) and event.onset >= turn.onset]
         if lost:
@@ -301,37 +267,17 @@ class Performance:
         self.resting.add(who.state.body)
 
     def plan_again(self, place: int | None = None, *, keep: int = 0, prefer: str | None = None) -> None:
-        """What has not been decided is planned anew.
-
-        Args:
-            place: Of the first word, in the text; None: behind the last group that was decided.
-            keep: Groups that are ready and stay.
-            prefer: Voice whose text comes first.
-        """
-        kept = list(self.queue)[:keep]
-        if place is None:
-            last = kept[-1].group if kept else self.last.prepared.group if self.last else None
-            place = last.source.end if last else 0
-        self.generation += 1
-        generation, time = self.generation, self.line
-        self.queue = deque(replace(one, generation=generation) for one in kept)
-        first, blend = self.company.ensemble.performer(""), self.speaker.state.blend
-        parameters, cast = first.state.parameters, dict(self.company.ensemble.cast)
-
-        def again(preparer: Preparer) -> None:
-            plan = replace(preparer.prompter.plan, parameters=parameters, cast=cast)
-            preparer.generation = generation
-            if prefer is None:
-                preparer.prompter.again(place, plan=plan, blend=blend, time=time)
-            else:
-                preparer.prompter.prefer(prefer, place, plan=plan, blend=blend, time=time)
-
-        self.backstage.tell(again)
+        """What has not been decided is planned anew, see `Supply.plan_again`."""
+        ensemble = self.company.ensemble
+        self.supply.plan_again(
+            place, self.last.prepared.group if self.last else None, keep=keep, prefer=prefer,
+            parameters=self.parameters(""), cast=dict(ensemble.cast), blend=self.speaker.state.blend, time=self.line,
+        )  # fmt: skip
 
     # -- the end
 
     def _finished(self) -> bool:
-        return self.ending and not self.queue and self.backstage.idle
+        return self.ending and self.supply.idle
 
     def _end(self) -> bool:
         if self._finished():
@@ -359,7 +305,7 @@ class Performance:
             speaks = who is self.speaker and self.last is not None and who.state.body not in self.resting
             if (speaks and self.now < self.due) or who.state.time >= until:
                 continue
-            if speaks and self.waits and not self.paused:
+            if speaks and self.supply.late and not self.paused:
                 self._late = self.line
             while who.state.time < until:
                 self.resting.add(who.state.body)

@@ -180,7 +180,7 @@ class Stage:
         """A whole text."""
         whole = Text(voice=voice, waiting=deque([marked(text)]), complete=True)
         self.backstage.tell(lambda preparer: preparer.prompter.texts.append(whole))
-        self.performance.fed = self.now
+        self.performance.supply.fed = self.now
 
     def stream(self) -> Text:
         """A text that comes in pieces."""
@@ -190,7 +190,7 @@ class Stage:
 
     def piece(self, text: Text, piece: str) -> None:
         self.backstage.tell(lambda _: text.waiting.append(piece))
-        self.performance.fed = self.now
+        self.performance.supply.fed = self.now
 
     def end(self) -> None:
         self.performance.ending = True
