@@ -34,7 +34,8 @@ class Gains:
         column = GAINS.index(name)
         found = np.searchsorted(self.start, times, side="right") - 1
         index = np.maximum(found, 0)
-        gone = np.minimum((times - self.start[index]) / np.maximum(self.glide[index], 1e-9), 1.0)
+        glide = self.glide[index]
+        gone = np.where(glide > 0, np.minimum((times - self.start[index]) / np.maximum(glide, 1e-9), 1.0), 1.0)
         begin = self.before[index, column]
         return np.where(found >= 0, begin + (self.after[index, column] - begin) * gone, 1.0)
 

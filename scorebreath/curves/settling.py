@@ -25,6 +25,8 @@ from scorebreath.score.acting import EMOTIONS
 
 LEAST = 1e-9
 """A difference that nobody sees."""
+SMALL = 0.02
+"""s; what a movement does in so short a time takes half of its calm, and less takes less."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +37,8 @@ class Movement:
     """s behind a cut after which nothing of it is left"""
     speed: tuple[float, ...] = ()
     """of each column, how fast the tube opens at most, units a second; none: it is cross-faded within the reach"""
+    calm: float = 0.0
+    """s that it takes to come to rest, where its speed would let it be sooner, and it is not all but there"""
 
 
 class Found(NamedTuple):
@@ -48,24 +52,24 @@ class Found(NamedTuple):
     """(columns,) how far off that is what would be seen now"""
 
 
-def _tube(span: float, *speed: float) -> Movement:
+def _tube(span: float, calm: float, *speed: float) -> Movement:
     """A tube is as wide as the whole span after half as long again as its speed needs for it."""
-    return Movement(reach=1.5 * span / min(speed), speed=speed)
+    return Movement(reach=1.5 * span / min(speed) + calm, speed=speed, calm=calm)
 
 
 MOVEMENTS: Mapping[str, Movement] = MappingProxyType(
     {
-        "mouth": _tube(1.0, 5.0),
-        "nostrils": _tube(1.0, 4.0),
-        "lips": _tube(1.0, *(7.0 if column == JAW else 15.0 for column in range(len(LIP_CHANNELS)))),
-        "contact": _tube(1.0, 24.0),
+        "mouth": _tube(1.0, 0.12, 5.0),
+        "nostrils": _tube(1.0, 0.12, 4.0),
+        "lips": _tube(1.0, 0.1, *(7.0 if column == JAW else 15.0 for column in range(len(LIP_CHANNELS)))),
+        "contact": _tube(1.0, 0.0, 24.0),
         "visemes": Movement(reach=0.2),
-        "head": _tube(180.0, 35.0, 35.0, 35.0),  # a nod of 8 degrees is over within 0.35 s
-        "gaze": _tube(180.0, 400.0, 400.0),
-        "blink": _tube(1.0, 10.0, 10.0),
-        "brow": _tube(1.0, 5.0, 5.0, 5.0),
-        **{f"emotion_{name}": _tube(1.0, 4.3) for name in EMOTIONS},
-        **{f"leaning_{name}": _tube(1.0, 2.2) for name in EMOTION_HEAD},
+        "head": _tube(180.0, 0.35, 35.0, 35.0, 35.0),  # 8 degrees within 0.35 s
+        "gaze": _tube(180.0, 0.0, 400.0, 400.0),
+        "blink": _tube(1.0, 0.15, 10.0, 10.0),
+        "brow": _tube(1.0, 0.3, 5.0, 5.0, 5.0),
+        **{f"emotion_{name}": _tube(1.0, 0.35, 4.3) for name in EMOTIONS},
+        **{f"leaning_{name}": _tube(1.0, 0.35, 2.2) for name in EMOTION_HEAD},
         **{name: Movement(reach=0.35) for name in FACTORS},
     }
 )
@@ -106,7 +110,7 @@ def settled(movement: Movement, at: Found, times: Array, values: Array) -> Array
     whole = values.reshape(len(values), -1).copy()
     if movement.speed:
         for column in np.flatnonzero(at.gap):
-            radius = _radius(since[near], float(at.gap[column]), movement.speed[column])
+            radius = _radius(since[near], float(at.gap[column]), movement.speed[column], movement.calm)
             old = at.old[column]
             whole[near, column] = np.clip(whole[near, column], old - radius, old + radius)
     else:
@@ -115,7 +119,7 @@ def settled(movement: Movement, at: Found, times: Array, values: Array) -> Array
     return whole.reshape(values.shape)
 
 
-def _radius(since: Array, gap: float, speed: float) -> Array:
+def _radius(since: Array, gap: float, speed: float, calm: float) -> Array:
     """Of the tube: it opens by the gap without a jerk, at most at that speed, and goes on opening."""
-    length = 1.5 * gap / speed
+    length = max(1.5 * gap / speed, calm * gap / (gap + SMALL * speed))
     return np.asarray(gap * ease(since / length) + speed * np.maximum(since - length, 0.0))

@@ -72,11 +72,11 @@ def cut_at(score: Score, time: float, *, fade: float = 0.05, back: float = 0.8, 
 def followed(score: Score, other: Score, onset: float) -> Score:
     """The Score, and another one's events from a time on."""
     name = f"again{len(score.events)}"
-    here, there = {group.id for group in score.groups}, score.bodies[0].id
+    there = score.bodies[0].id
     later = [
         dataclasses.replace(
             event, id=f"{name}.{event.id}", onset=snap(event.onset + onset), body=there,
-            group=event.group if event.group in here else None,
+            group=None,
         )
         for event in other.events
     ]  # fmt: skip

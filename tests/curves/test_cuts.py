@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from scorebreath.curves.channels import CHANNELS
 from scorebreath.curves.curve_set import curves
+from scorebreath.curves.settling import MOVEMENTS, found, settled
 from scorebreath.errors import ScoreError
 from scorebreath.score.document import Score
 from scorebreath.score.events import EVENTS, Cut, Event, Hold, Utterance
@@ -179,14 +180,14 @@ def test_a_sample_behind_cuts_depends_on_its_own_time_alone(whose: str, cuts: li
     score = piece(whose)
     for time in sorted(cuts):
         score = cut_at(score, time)
-    found, times = curves(score), moments(*cuts)
-    whole = everything(found, times)
+    set_, times = curves(score), moments(*cuts)
+    whole = everything(set_, times)
     chosen = np.array(random.sample(range(len(times)), 40))
     assert np.array_equal(everything(curves(score, since=1e9), times[chosen]), whole[chosen])
     for number in chosen[:5]:
         assert np.array_equal(everything(curves(score), times[number : number + 1]), whole[number : number + 1])
-    name = random.choice(found.channels)
-    assert np.array_equal(curves(score).sample(times, [name])[:, 0], whole[:, found.channels.index(name)])
+    name = random.choice(set_.channels)
+    assert np.array_equal(curves(score).sample(times, [name])[:, 0], whole[:, set_.channels.index(name)])
 
 
 def test_a_breath_that_nothing_follows_is_held_where_it_was_cut() -> None:
@@ -238,3 +239,30 @@ def test_breaths_that_overlap_in_one_epoch_are_refused() -> None:
     )
     with pytest.raises(ScoreError, match="overlap"):
         curves(dataclasses.replace(cut, events=(*cut.events, more)))
+
+
+@pytest.mark.parametrize("name", sorted(MOVEMENTS))
+def test_every_movement_settles_within_its_reach_and_its_speed(name: str) -> None:
+    """From anywhere to rest, without a jerk: the tables say when nothing is left, and how fast at most."""
+    movement = MOVEMENTS[name]
+    columns = max(1, len(movement.speed))
+    span = 90.0 if name in ("head", "gaze") else 1.0
+    for old in (span, span / 10, span / 1000):
+        start = np.full((1, columns), old)
+        times = np.linspace(5.0, 5.0 + movement.reach + 0.1, 4001)
+        at = found(5.0, start, np.zeros((1, columns)))
+        moved = settled(movement, at, times, np.zeros((len(times), columns)))
+        assert np.allclose(moved[0], old)
+        assert np.all(np.diff(moved, axis=0) <= 1e-12)
+        assert np.all(moved[times - 5.0 >= movement.reach] == 0.0)
+        assert np.all(np.abs(moved[-80:]) < 1e-9)
+        if movement.speed:
+            speed = np.abs(np.diff(moved, axis=0)).max(axis=0) / (times[1] - times[0])
+            assert np.all(speed <= 1.001 * np.array(movement.speed))
+
+
+def test_a_movement_that_a_cut_left_alone_is_left_alone() -> None:
+    """Bit by bit."""
+    values = np.sin(np.arange(300.0)).reshape(100, 3)
+    at = found(0.0, values[:1], values[:1])
+    assert settled(MOVEMENTS["head"], at, np.linspace(0, 1, 100), values) is values
