@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from scorebreath.errors import InputError, ParameterError
@@ -52,6 +52,7 @@ def test_the_table_holds_every_parameter_verb_and_command_once() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
+@settings(max_examples=25)
 @given(data=st.data())
 def test_every_parameter_is_set_and_answers(name: str, data: st.DataObject) -> None:
     desk = ToyDesk("body", "body2")

@@ -12,7 +12,7 @@ from mido import Backend, Message
 from scorebreath.errors import EnvironmentFailure
 from scorebreath.live.controls.mapping import FIRST_NOTE, default_mapping
 from scorebreath.live.controls.midi import MidiServer
-from scorebreath.live.controls.midi_ports import port_names
+from scorebreath.live.controls.rtmidi_driver import port_names
 from scorebreath.live.desk import COMMANDS
 from tests.live.desks import ToyDesk
 from tests.live.jack import Jack, end, jack_server

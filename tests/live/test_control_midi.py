@@ -17,7 +17,8 @@ from scorebreath.live.controls.knobs import PATIENCE, WINDOW
 from scorebreath.live.controls.mapping import FIRST_NOTE, Control, Mapping, default_mapping
 from scorebreath.live.controls.midi import MidiServer
 from scorebreath.live.controls.midi_control import MidiControl
-from scorebreath.live.controls.midi_ports import Direction, RtMidi, find_port
+from scorebreath.live.controls.midi_ports import Direction, find_port
+from scorebreath.live.controls.rtmidi_driver import RtMidi
 from scorebreath.live.desk import COMMANDS, Setting
 from scorebreath.parameters.table import Parameters, bounds
 from tests.live.desks import BrokenDesk, Clock, ToyDesk

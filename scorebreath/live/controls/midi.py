@@ -11,7 +11,8 @@ from typing import Any, Self
 from scorebreath.errors import EnvironmentFailure
 from scorebreath.live.controls.mapping import Control, Mapping
 from scorebreath.live.controls.midi_control import MidiControl, Said
-from scorebreath.live.controls.midi_ports import Driver, Input, KeptPort, RtMidi
+from scorebreath.live.controls.midi_ports import Driver, Input, KeptPort
+from scorebreath.live.controls.rtmidi_driver import RtMidi
 from scorebreath.live.desk import Desk
 
 LOOKING = 0.25
