@@ -40,3 +40,13 @@ class OfflineClock:
         block, within = divmod(frame, BLOCK)
         tag = block * (BLOCK * _SECOND // self.sample_rate) + round((within + 0.25) * _SECOND / self.sample_rate)
         return tag / _SECOND
+
+    def frame_of(self, tag: int) -> int:
+        """The frame of the Score that a time tag of this clock stands for.
+
+        >>> clock = OfflineClock(sample_rate=44100)
+        >>> clock.frame_of(int(clock(1.0) * 2**32))
+        44100
+        """
+        block, within = divmod(tag, BLOCK * _SECOND // self.sample_rate)
+        return self.start + BLOCK * block + int(within * self.sample_rate / _SECOND)

@@ -43,6 +43,7 @@ _LIVE_FLAGS: Mapping[str, tuple[str, Callable[[str], Any]]] = {
     "-s": ("safety_clip_threshold", float),
     "-S": ("preferred_sample_rate", int),
     "-B": ("address", str),
+    "-H": ("device", str),
     "-u": ("port", int),
 }
 """Flags of a live server; offline they are read and dropped."""
@@ -78,6 +79,9 @@ def run(arguments: Sequence[str]) -> int:
     if offline:
         engine.world_nrt_render(**settings)
         return 0
+    device = settings.pop("device", "")
+    if device:
+        settings["in_device_name"] = settings["out_device_name"] = device
     address, port = settings.pop("address", "127.0.0.1"), settings.pop("port", 57110)
     world = engine.world_new(**settings, realtime=True, shared_memory_id=port)
     if not engine.world_open_udp(world, address, port):

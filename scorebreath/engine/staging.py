@@ -38,17 +38,33 @@ def stage(
     """
     staged: dict[str, str] = {}
     for index, (name, length) in enumerate(lengths.items()):
-        sound = media.get(name)
-        if abs(len(sound.samples) - length * sound.sample_rate) > 0.5:
-            raise ScoreError(
-                f"media {shortened(name)!r} last {len(sound.samples) / sound.sample_rate:g} s, not {length:g} s"
-            )
-        if not np.isfinite(np.abs(sound.samples).max(initial=0.0)):
-            raise ScoreError(f"media {shortened(name)!r} hold samples that are not finite")
-        samples = np.append(resample(sound.samples, sound.sample_rate, sample_rate), np.float32(0))
         staged[name] = f"s{index:06d}.wav"
-        with (folder / staged[name]).open("wb") as stream:
-            write_wave(stream, [samples], frames=len(samples), sample_rate=sample_rate, encoding="float32")
+        stage_one(name, length, media, folder / staged[name], sample_rate=sample_rate)
         if on_progress is not None:
             on_progress((index + 1) / len(lengths))
     return staged
+
+
+def stage_one(name: str, length: float, media: MediaStore, path: Path, *, sample_rate: int) -> None:
+    """Write one of the media.
+
+    Args:
+        name: Its SHA-256.
+        length: Seconds of it that there should be.
+        media: Where it is.
+        path: The file to write.
+        sample_rate: The engine's, Hz.
+
+    Raises:
+        ScoreError: It is missing, of another length, or holds samples that are not finite.
+    """
+    sound = media.get(name)
+    if abs(len(sound.samples) - length * sound.sample_rate) > 0.5:
+        raise ScoreError(
+            f"media {shortened(name)!r} last {len(sound.samples) / sound.sample_rate:g} s, not {length:g} s"
+        )
+    if not np.isfinite(np.abs(sound.samples).max(initial=0.0)):
+        raise ScoreError(f"media {shortened(name)!r} hold samples that are not finite")
+    samples = np.append(resample(sound.samples, sound.sample_rate, sample_rate), np.float32(0))
+    with path.open("wb") as stream:
+        write_wave(stream, [samples], frames=len(samples), sample_rate=sample_rate, encoding="float32")
