@@ -10,7 +10,7 @@ from typing import Any
 from scorebreath.errors import InputError
 from scorebreath.live.desk import COMMANDS, Change, Setting
 from scorebreath.parameters.derive import derive
-from scorebreath.parameters.table import Parameters, bounds
+from scorebreath.parameters.table import Parameters
 
 
 class ToyDesk:
@@ -51,10 +51,9 @@ class ToyDesk:
         with self._lock:
             self.calls.append(("set", name, value, body, glide))
             for one in (body,) if body else self.bodies:
-                before = self.values(one)[name] if name in Parameters.model_fields else None
                 self._parameters[one] = self._parameters[one].with_values({name: value})
-                now = self.values(one)[name]
-                if now != before:
+                now = self.values(one).get(name)
+                if now is not None:
                     for changed in self._listeners:
                         changed(one, name, now)
 
@@ -63,7 +62,7 @@ class ToyDesk:
         with self._lock:
             parameters = self._parameters[body or self.bodies[0]]
         found = {name: getattr(parameters, name) for name in Parameters.model_fields} | asdict(derive(parameters))
-        return {name: found[name] if found[name] is not None else (bounds(name) or (0.0,))[0] for name in found}
+        return {name: value for name, value in found.items() if value is not None}
 
     def listen(self, changed: Change) -> Callable[[], None]:
         self._listeners.append(changed)
@@ -76,6 +75,10 @@ class ToyDesk:
 
     def value(self, name: str, body: str = "") -> Setting:
         return self.values(body)[name]
+
+    def told(self) -> int:
+        """How many parameters have one value."""
+        return len(self.values())
 
     def moves(self) -> list[tuple[str, Setting | None]]:
         """Name and value of every move."""

@@ -64,7 +64,7 @@ def test_every_parameter_is_set_and_answers(name: str, data: st.DataObject) -> N
     kept = desk.value(name, "body2")
     assert said == (pytest.approx(kept, rel=1e-6) if isinstance(kept, float) else kept)
     assert kept == (pytest.approx(value, rel=1e-6, abs=1e-30) if isinstance(value, float) else value)
-    assert desk.value(name, "body") == ToyDesk().value(name)
+    assert desk.values("body").get(name) == ToyDesk().values().get(name)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -104,6 +104,15 @@ def test_every_command_is_reached(name: str) -> None:
     assert done == [("command", name, body) for body in ("", "", "", "", "body2", "body2")]
 
 
+def test_a_parameter_without_one_value_answers_nil_which_changes_nothing() -> None:
+    desk = ToyDesk()
+    assert "vital_capacity" not in desk.values()
+    (answer,) = send(desk, "/scorebreath/vital_capacity")
+    assert answer == Message(address="/scorebreath/vital_capacity", arguments=(None,))
+    send(desk, answer.address, *answer.arguments)
+    assert desk.moves() == [("vital_capacity", None)]
+
+
 def test_texts() -> None:
     desk = ToyDesk("body", "body2")
     send(desk, "/scorebreath/say", "Grüße, 息。")
@@ -135,11 +144,9 @@ def test_all_values_come_in_packets_that_pass_any_network() -> None:
     packets = [packet for answer in answers for packet in answer.packets]
     assert max(map(len, packets)) <= 1400
     got = {message.address: message.arguments[0] for packet in packets for message in read_packet(packet)}
-    assert set(got) == {f"/scorebreath/body2/{name}" for name in Parameters.model_fields}
+    assert set(got) == {f"/scorebreath/body2/{name}" for name in desk.values("body2")}
     assert got["/scorebreath/body2/style"] == "spontaneous"
-    assert {m.address for m in send(desk, "/scorebreath/values")} == {
-        f"/scorebreath/{n}" for n in Parameters.model_fields
-    }
+    assert {m.address for m in send(desk, "/scorebreath/values")} == {f"/scorebreath/{n}" for n in desk.values()}
     assert send(desk, "/scorebreath/bodies")[0].arguments == ("body", "body2")
     assert send(desk, "/scorebreath/ping", 7) == [Message(address="/scorebreath/pong", arguments=(7,))]
 

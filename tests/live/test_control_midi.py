@@ -124,6 +124,15 @@ def test_a_value_never_jumps_farther_than_the_window_or_the_knob(
         before = place
 
 
+def test_a_parameter_without_one_value_follows_its_knob_at_once() -> None:
+    desk = ToyDesk()
+    midi = MidiControl(desk, Mapping((Control(source="cc", number=70, parameter="vital_capacity"),)))
+    turn(midi, 70, 127)
+    assert desk.value("vital_capacity") == 9.0
+    turn(midi, 70, 126, 0)
+    assert desk.value("vital_capacity") == 0.5
+
+
 def test_words_and_flags_by_zones() -> None:
     desk = ToyDesk()
     style = Control(source="cc", number=70, parameter="style")

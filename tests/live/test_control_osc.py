@@ -89,7 +89,7 @@ def test_values_are_set_and_asked(client: Client, desk: ToyDesk) -> None:
     assert desk.calls == [("set", "nose_share", 0.8, "", 0.5)]
     client.send("/scorebreath/values")
     heard = [client.hear() for _ in range(2)]
-    while len({m.address for part in heard for m in part}) < len(Parameters.model_fields):
+    while len({m.address for part in heard for m in part}) < desk.told():
         heard.append(client.hear())
 
 
@@ -124,7 +124,7 @@ def test_two_servers_do_not_talk_to_each_other_for_ever(server: OscServer) -> No
         asked.sendto(write_message("/scorebreath/listen", other.port), ("127.0.0.1", server.port))
         asked.close()
         wait(lambda: other.report().received > 0)
-        wait(lambda: other.report().refused + other.report().applied >= len(Parameters.model_fields))
+        wait(lambda: other.report().refused + other.report().applied >= ToyDesk().told())
         before = server.report().received
         client = Client(other)
         assert client.settled() == []
@@ -135,7 +135,7 @@ def test_two_servers_do_not_talk_to_each_other_for_ever(server: OscServer) -> No
 def test_who_listens_is_told(client: Client, server: OscServer, desk: ToyDesk) -> None:
     client.send("/scorebreath/listen")
     first: set[str] = set()
-    while len(first) < len(Parameters.model_fields):
+    while len(first) < desk.told():
         first |= {message.address for message in client.hear()}
     desk.set("nose_share", 0.25)
     assert client.hear() == (Message(address="/scorebreath/nose_share", arguments=(0.25,)),)

@@ -168,7 +168,7 @@ class MidiControl:
                 grip.before = move.way
                 return
             held = grip.holds
-        current = None if held else self._desk.values(control.body)[control.parameter]
+        current = None if held else self._desk.values(control.body).get(control.parameter)
         with self._lock:
             if current is not None and scale.same(move.way, current):
                 grip.holds = True

@@ -73,7 +73,7 @@ class Actions:
     def _parameter(self, place: Place, message: Message, sender: Sender) -> tuple[Answer, ...]:
         given = message.arguments
         if not given:
-            packet = write_message(message.address, self._desk.values(place.body)[place.name])
+            packet = write_message(message.address, self._desk.values(place.body).get(place.name))
             return (Answer(to=sender, packets=(packet,)),)
         _at_most(message, 2)
         glide = seconds(given[1]) if len(given) == 2 else None
