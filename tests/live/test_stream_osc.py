@@ -70,6 +70,14 @@ def test_nothing_is_lost_or_moved_when_bundles_are_split(texts: list[str], most:
         assert messages(packet)[0].address == "/head"
 
 
+@pytest.mark.parametrize("most", range(60, 160, 4))
+def test_bundles_are_filled_to_the_last_byte(most: int) -> None:
+    told = [message("/a", "x" * (number % 9)) for number in range(100)]
+    made = bundles(AT_ONCE, (), told, most)
+    for packet, following in zip(made, made[1:], strict=False):
+        assert len(packet) <= most < len(packet) + 4 + int.from_bytes(following[16:20], "big")
+
+
 @given(chosen=st.lists(st.sampled_from(NAMES), min_size=1, unique=True))
 @settings(deadline=None, max_examples=30)
 def test_only_the_channels_asked_for_are_sent_in_their_order(chosen: list[str]) -> None:

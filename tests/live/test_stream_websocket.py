@@ -13,7 +13,7 @@ from contextlib import ExitStack, contextmanager
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
@@ -21,6 +21,7 @@ from websockets.typing import Origin
 
 from scorebreath.errors import EnvironmentFailure, InputError, MissingExtraError
 from scorebreath.live.streams.addresses import open_stream
+from scorebreath.live.streams.datagrams import found
 from scorebreath.live.streams.lines import line
 from scorebreath.live.streams.origins import may
 from scorebreath.live.streams.websocket import LARGEST_HEARD, PictureServer, WebSocketTarget
@@ -204,3 +205,43 @@ def test_the_extra_is_named_where_it_is_missing(monkeypatch: pytest.MonkeyPatch)
     )
     with pytest.raises(MissingExtraError, match=r"scorebreath\[live\]"):
         PictureServer(port=0)
+
+
+@given(rubbish=st.binary(min_size=1, max_size=300), upgraded=st.booleans())
+@settings(max_examples=20, deadline=None)
+def test_rubbish_costs_its_own_connection(open_server: PictureServer, rubbish: bytes, upgraded: bool) -> None:
+    with socket.create_connection(("127.0.0.1", open_server.port), timeout=20) as vandal:
+        if upgraded:
+            vandal.sendall(
+                b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                b"Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n"
+            )
+            assert vandal.recv(4096).startswith(b"HTTP/1.1 101")
+        vandal.sendall(rubbish)
+    until(lambda: open_server.clients == 0)
+
+
+def test_after_rubbish_all_is_well_and_nothing_was_said(
+    open_server: PictureServer, capfd: pytest.CaptureFixture[str]
+) -> None:
+    test_rubbish_costs_its_own_connection(open_server)
+    with client(open_server) as listening:
+        until(lambda: open_server.clients == 1)
+        open_server.publish("body", "all is well")
+        assert listening.recv(20) == "all is well"
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.fixture(scope="module")
+def open_server() -> Iterator[PictureServer]:
+    with serving() as server:
+        yield server
+
+
+def test_a_host_with_several_addresses_is_met_at_the_usual_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    six = (socket.AF_INET6, socket.SOCK_DGRAM, 17, "", ("::1", 9, 0, 0))
+    four = (socket.AF_INET, socket.SOCK_DGRAM, 17, "", ("127.0.0.1", 9))
+    monkeypatch.setattr(socket, "getaddrinfo", lambda *_, **__: [six, four])
+    assert found("localhost", 9, socket.SOCK_DGRAM) == four
+    monkeypatch.setattr(socket, "getaddrinfo", lambda *_, **__: [six])
+    assert found("localhost", 9, socket.SOCK_DGRAM) == six

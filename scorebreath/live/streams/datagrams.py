@@ -32,11 +32,7 @@ class Datagrams:
 
     def __init__(self, host: str, port: int) -> None:
         """Look the host up, once."""
-        try:
-            family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
-        except (OSError, UnicodeError) as error:
-            raise InputError(f"host {host!r} cannot be found: {error}") from None
-        self._address = address
+        family, kind, protocol, _, self._address = found(host, port, socket.SOCK_DGRAM)
         self._socket = socket.socket(family, kind, protocol)
         self._socket.setblocking(False)
         self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
@@ -53,6 +49,22 @@ class Datagrams:
     def close(self) -> None:
         """Close the socket."""
         self._socket.close()
+
+
+Found = tuple[socket.AddressFamily, socket.SocketKind, int, str, tuple[str, int] | tuple[str, int, int, int]]
+
+
+def found(host: str, port: int, kind: socket.SocketKind) -> Found:
+    """Where a host is: its IPv4 address before others, since that is where most receivers listen.
+
+    Raises:
+        InputError: The host is not known.
+    """
+    try:
+        places = socket.getaddrinfo(host, port, type=kind)
+    except (OSError, UnicodeError) as error:
+        raise InputError(f"host {host!r} cannot be found: {error}") from None
+    return min(places, key=lambda place: place[0] != socket.AF_INET)  # type: ignore[return-value]
 
 
 def bundles(tag: int, head: Sequence[bytes], messages: Sequence[bytes], most: int = LARGEST) -> list[bytes]:

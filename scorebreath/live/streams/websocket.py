@@ -15,8 +15,9 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from scorebreath.curves.rigs.table import rig_named
-from scorebreath.errors import EnvironmentFailure, InputError, MissingExtraError
+from scorebreath.errors import EnvironmentFailure, MissingExtraError
 from scorebreath.live.picture import Picture
+from scorebreath.live.streams.datagrams import found
 from scorebreath.live.streams.lines import line
 from scorebreath.live.streams.origins import may
 
@@ -102,9 +103,9 @@ class PictureServer:
         import uvicorn
 
         config = uvicorn.Config(
-            self._application(), ws="websockets-sansio", http="h11", lifespan="off", log_config=None, access_log=False,
-            server_header=False, ws_max_size=LARGEST_HEARD, ws_max_queue=4, ws_per_message_deflate=False,
-            limit_concurrency=4 * self._most, timeout_graceful_shutdown=1,
+            self._application(), ws="auto", http="h11", lifespan="off", log_config=None, log_level="critical",
+            access_log=False, server_header=False, ws_max_size=LARGEST_HEARD, ws_max_queue=4,
+            ws_per_message_deflate=False, limit_concurrency=4 * self._most, timeout_graceful_shutdown=1,
         )  # fmt: skip
         self._server = uvicorn.Server(config)
         ready = threading.Event()
@@ -180,10 +181,7 @@ async def _talk(client: WebSocket, waiting: _Queue, wanted: str) -> None:
 
 
 def _listening(host: str, port: int) -> socket.socket:
-    try:
-        family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
-    except (OSError, UnicodeError) as error:
-        raise InputError(f"host {host!r} cannot be found: {error}") from None
+    family, kind, protocol, _, address = found(host, port, socket.SOCK_STREAM)
     listener = socket.socket(family, kind, protocol)
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
