@@ -11,8 +11,9 @@ from scorebreath.curves.moments import Moments
 from scorebreath.curves.settling import MOVEMENTS, Found, found, settled
 from scorebreath.curves.sources import Sources, levels, sources
 from scorebreath.curves.tracks import TOUCH, Acts, Array
+from scorebreath.score.acting import EMOTIONS
 from scorebreath.score.document import Body, Score
-from scorebreath.score.events import Event, Expiration, Hold, Inspiration
+from scorebreath.score.events import Emotion, Event, Expiration, Hold, Inspiration
 from scorebreath.score.values import LARGEST
 from scorebreath.units import snap
 
@@ -35,6 +36,11 @@ class Scenes:
         self._acts = parts
         self._sources: list[Sources | None] = [None] * len(parts)
         self._found: dict[tuple[str, bool], dict[int, Found]] = {}
+        self._edges: dict[tuple[int, bool], tuple[Moments, Moments]] = {}
+        felt = {event.name for event in score.of(Emotion, body.id)}
+        self._still = frozenset(
+            f"{kind}_{name}" for name in EMOTIONS if name not in felt for kind in ("emotion", "leaning")
+        )
         self.cuts = np.array([] if self._epochs is None else self._epochs.cuts, dtype=np.float64)
         """(epochs - 1,) s, ascending"""
 
@@ -100,7 +106,7 @@ class Scenes:
 
     def _settle(self, number: int, closure_gate: bool, name: str, times: Array, values: Array) -> Array:
         movement = MOVEMENTS[name]
-        if not np.any(times - self.cuts[number - 1] < movement.reach):
+        if name in self._still or not np.any(times - self.cuts[number - 1] < movement.reach):
             return values
         return settled(movement, self._at_cut(number, name, closure_gate=closure_gate), times, values)
 
@@ -112,8 +118,15 @@ class Scenes:
             first -= 1
         for each in range(first, number + 1):
             if each not in known:
-                cut = self.cuts[each - 1 : each]
-                old = self.moments(each - 1, cut, closure_gate=closure_gate).movement(name)
-                new = Moments(self.sources(each), cut, closure_gate=closure_gate).movement(name)
-                known[each] = found(float(cut[0]), old, new)
+                before, behind = self._edge(each, closure_gate=closure_gate)
+                known[each] = found(float(before.times[0]), before.movement(name), behind.movement(name))
         return known[number]
+
+    def _edge(self, number: int, *, closure_gate: bool) -> tuple[Moments, Moments]:
+        """The moment at which an epoch begins, as the one before has it, and as it would be by itself."""
+        key = number, closure_gate
+        if key not in self._edges:
+            cut = self.cuts[number - 1 : number]
+            old = self.moments(number - 1, cut, closure_gate=closure_gate)
+            self._edges[key] = old, Moments(self.sources(number), cut, closure_gate=closure_gate)
+        return self._edges[key]
