@@ -328,6 +328,7 @@ def test_listeners_are_bounded_and_forgotten() -> None:
     listeners = Listeners()
     assert [listeners.add(("127.0.0.1", port), 0.0) for port in range(40)] == [True] * 32 + [False] * 8
     assert listeners.add(("127.0.0.1", 3), 30.0)
+    assert (listeners.count(59.0), listeners.count(61.0)) == (32, 1)
     assert listeners.there(61.0) == (("127.0.0.1", 3),)
     assert listeners.there(91.0) == ()
 

@@ -70,6 +70,10 @@ class Listeners:
         """Forget one, known or not."""
         self._until.pop(listener, None)
 
+    def count(self, now: float) -> int:
+        """How many listen now; may be asked by any thread."""
+        return sum(until > now for until in tuple(self._until.values()))
+
     def there(self, now: float) -> tuple[Sender, ...]:
         """Those who listen now; those whose time is over are forgotten."""
         self._until = {listener: until for listener, until in self._until.items() if until > now}

@@ -138,7 +138,7 @@ class OscServer:
     def report(self) -> OscReport:
         """What it has met so far."""
         made = OscReport(**{name: getattr(self._report, name) for name in OscReport.__slots__})
-        made.waiting, made.listening = len(self._waiting), len(self._listeners.there(self._steady()))
+        made.waiting, made.listening = len(self._waiting), self._listeners.count(self._steady())
         return made
 
     def __enter__(self) -> Self:
