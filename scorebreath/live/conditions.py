@@ -36,7 +36,7 @@ class Timing:
     @property
     def nudge(self) -> float:
         """From a move to what it does to the sound."""
-        return max(0.0, self.curve_lead) + 0.03
+        return max(0.0, self.curve_lead) + 0.06
 
     @property
     def ahead(self) -> float:

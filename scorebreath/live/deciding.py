@@ -50,6 +50,8 @@ class Decisions:
         self.counts = Counts()
         self.heard = dict.fromkeys(ledger.bodies, AS_MADE)
         """by body: what is done to its sound"""
+        self.moved: dict[str, float] = {}
+        """by body: s; when that was"""
         self.made: dict[str, Parameters] = {}
         """by body: what that was made with which is under way"""
         self._coming: dict[str, deque[tuple[float, Parameters]]] = {}
@@ -71,7 +73,7 @@ class Decisions:
                     self.sounder.cut(event.onset, event.targets, event.fade)
                 elif isinstance(event, Parameter) and event.heard is not None:
                     self.sounder.move(event.onset, body, event.heard, event.glide)
-                    self.heard[body] = event.heard
+                    self.heard[body], self.moved[body] = event.heard, event.onset
             if begun := [event.onset for event in own if isinstance(event, BREATHS)]:
                 coming = self._coming.setdefault(body, deque())
                 parameters = self._parameters(body)

@@ -14,9 +14,8 @@ from scorebreath.curves.curve_set import CurveSet, curves
 from scorebreath.score.cutting import endings
 from scorebreath.score.document import Body, Group, MediaInfo, Score
 from scorebreath.score.events import EVENTS, Cut, Event, Expiration, Hold, Inspiration, Parameter
-from scorebreath.score.take import TakeWriter
+from scorebreath.score.take import TakeWriter, lasting
 from scorebreath.score.values import LARGEST
-from scorebreath.units import snap
 
 KEPT = 4.0
 """s behind now for which curves can still be asked."""
@@ -115,6 +114,8 @@ class Ledger:
         with self._lock:
             self.over = time
             self._curves.clear()
+        if self._take:
+            self._take.over(time)
 
     def near(self, body: str) -> list[Event]:
         """A body's events that are not long over."""
@@ -139,11 +140,10 @@ class Ledger:
     def score(self) -> Score:
         """The whole performance so far."""
         with self._lock:
-            latest = max((event.end for event in self._events.values()), default=0.0)
             return replace(
                 self._score, text=self._text, bodies=tuple(self._bodies.values()), media=dict(self._media),
                 groups=tuple(self._groups.values()), events=tuple(self._events.values()),
-                duration=snap(latest if self.over is None else max(self.over, 0.0)),
+                duration=lasting(self._events.values()) if self.over is None else self.over,
             )  # fmt: skip
 
     def _part(self, body: str, events: Iterable[Event]) -> Score:

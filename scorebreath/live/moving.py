@@ -86,7 +86,8 @@ def _keep(performance: Performance, who: Performer, after: Parameters) -> None:
 
 def _write(performance: Performance, who: Performer, changes: Mapping[str, Setting | None], glide: float) -> None:
     body = who.state.body
-    onset = snap(max(0.0, performance.now + performance.timing.nudge))
+    moved = performance.decisions.moved.get(body, 0.0)
+    onset = snap(max(0.0, moved, performance.now + performance.timing.nudge))
     sounds = heard(performance.decisions.made.get(body, who.state.parameters), who.state.parameters)
     events = []
     for number, (name, value) in enumerate(changes.items(), 1):

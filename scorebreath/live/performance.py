@@ -124,8 +124,8 @@ class Performance:
                 pass
             self._rest()
         self.supply.want(self._flush())
-        made = self.decisions.keep_up(now + self.timing.nudge)
-        return min(self._wake(), made - self.timing.nudge)
+        near = self.timing.nudge + self.timing.margin
+        return min(self._wake(), self.decisions.keep_up(now + near) - near)
 
     @property
     def line(self) -> float:

@@ -29,9 +29,9 @@ from scorebreath.score.codec import (
     parse_json,
     read_whole,
 )
+from scorebreath.score.cutting import end_of, endings
 from scorebreath.score.document import SCHEMA, Body, Group, MediaInfo, Score
 from scorebreath.score.events import Event, WarningEvent
-from scorebreath.units import snap
 
 TAKE_SCHEMA = "scorebreath.take/1"
 TAKE_FILE = "take.jsonl"
@@ -78,6 +78,10 @@ class TakeWriter:
     def sound(self, name: str, info: MediaInfo) -> None:
         """Samples were put into the take's media."""
         self._write({"media": {name: dataclasses.asdict(info)}})
+
+    def over(self, time: float) -> None:
+        """All is over then, s."""
+        self._write({"duration": time})
 
     def event(self, event: Event) -> None:
         """Something happens."""
@@ -136,6 +140,7 @@ def read_take(folder: Path) -> Score:
     text, media = [str(header.get("text", ""))], {}
     groups: list[Any] = []
     bodies: list[Any] = list(header.get("bodies", ()))
+    over: float | None = None
     events: list[Event] = []
     for number, line in enumerate(lines[1:], 2):
         item = parse_json(line, f"{path}:{number}")
@@ -151,14 +156,29 @@ def read_take(folder: Path) -> Score:
             groups.append(item["group"])
         elif "body" in item:
             bodies.append(item["body"])
+        elif type(item.get("duration")) in (int, float):
+            over = float(item["duration"])
         else:
-            raise ScoreError(f"{path}:{number}: expected text, media, a body, a group or an event")
+            raise ScoreError(f"{path}:{number}: expected text, media, a body, a group, an event or the duration")
     plain = {**header, "schema": SCHEMA, "bodies": bodies, "text": "".join(text), "media": media, "groups": groups}
-    plain["duration"] = max([float(header.get("duration", 0.0)), *(snap(event.end) for event in events)])
+    plain["duration"] = lasting(events, float(header.get("duration", 0.0))) if over is None else over
     score = loads(json.dumps(plain).encode(), str(path))
     if torn:
         events.append(_torn(score, len(torn)))
     return dataclasses.replace(score, events=tuple(events))
+
+
+def lasting(events: Iterable[Event], least: float = 0.0) -> float:
+    """When the last of some events is over, s: cuts end them, or prevent them.
+
+    Args:
+        events: All of a performance.
+        least: s.
+    """
+    events = tuple(events)
+    ends = endings(events)
+    happened = (event for event in events if event.id not in ends or not ends[event.id].prevents(event))
+    return max([least, *(end_of(event, ends) for event in happened)])
 
 
 def _torn(score: Score, size: int) -> WarningEvent:

@@ -14,7 +14,7 @@ from scorebreath.media.store import MemoryStore
 from scorebreath.score.codec import dumps
 from scorebreath.score.document import MediaInfo, Score
 from scorebreath.score.files import load, save
-from scorebreath.score.take import TAKE_FILE, TakeWriter, read_take
+from scorebreath.score.take import TAKE_FILE, TakeWriter, lasting, read_take
 
 from .strategies import scores
 from .test_document import empty, marker
@@ -42,7 +42,7 @@ def perform(folder: Path, score: Score) -> None:
 def test_a_take_is_the_score_that_was_performed(tmp_path_factory: pytest.TempPathFactory, score: Score) -> None:
     folder = tmp_path_factory.mktemp("take")
     perform(folder, score)
-    end = max([event.end for event in score.events], default=0.0)
+    end = lasting(score.events)
     again = read_take(folder)
     assert again.duration == pytest.approx(end, abs=1e-6)
     assert dataclasses.replace(again, duration=score.duration) == score
