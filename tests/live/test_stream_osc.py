@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -74,7 +75,7 @@ def test_nothing_is_lost_or_moved_when_bundles_are_split(texts: list[str], most:
 def test_bundles_are_filled_to_the_last_byte(most: int) -> None:
     told = [message("/a", "x" * (number % 9)) for number in range(100)]
     made = bundles(AT_ONCE, (), told, most)
-    for packet, following in zip(made, made[1:], strict=False):
+    for packet, following in pairwise(made):
         assert len(packet) <= most < len(packet) + 4 + int.from_bytes(following[16:20], "big")
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -12,16 +14,33 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from websockets.sync.client import ClientConnection, connect
 
 from scorebreath.curves.curve_set import CurveSet, curves
 from scorebreath.curves.rigs.table import rig_named
 from scorebreath.errors import InputError
 from scorebreath.live.picture import Picture, Stream
+from scorebreath.live.streams.addresses import open_stream
+from scorebreath.live.streams.lines import LineTarget
+from scorebreath.live.streams.livelink import packet
 from scorebreath.live.streams.sender import AHEAD, LONGEST_WAIT, SAID_AGAIN, Sender
+from scorebreath.live.streams.websocket import PictureServer, WebSocketTarget
 from tests.curves.faces import only
-from tests.live.pictures import START, named, whole
+from tests.live.pictures import START, named, picture, whole
+from tests.live.sockets import port, receiver
 
 BODIES = {"body": whole(), "body2": named("body2")}
+
+
+@contextmanager
+def serving() -> Iterator[tuple[PictureServer, ClientConnection]]:
+    """A WebSocket server and somebody who listens."""
+    server = PictureServer(port=0)
+    try:
+        with connect(f"ws://127.0.0.1:{server.port}", open_timeout=20, max_queue=None) as listening:
+            yield server, listening
+    finally:
+        server.close()
 
 
 @dataclass
@@ -244,10 +263,10 @@ def test_curves_that_change_are_shown_at_once() -> None:
     for number in range(40):
         shown["body"] = (still, whole())[number % 7 == 3 or number > 20]
         hub.tick(hub.time(number))
-    for number, picture in enumerate(keeper.got):
+    for number, shot in enumerate(keeper.got):
         valid = whole() if number % 7 == 3 or number > 20 else still
-        assert list(picture.channels.values()) == valid.sample([number / 60])[0].tolist()
-        assert list(picture.rig("oculus").values()) == rig_named("oculus").sample(valid, [number / 60])[0].tolist()
+        assert list(shot.channels.values()) == valid.sample([number / 60])[0].tolist()
+        assert list(shot.rig("oculus").values()) == rig_named("oculus").sample(valid, [number / 60])[0].tolist()
     assert len(keeper.got) == 40
 
 
@@ -257,3 +276,27 @@ def test_curves_that_stay_are_worked_out_ahead() -> None:
     for number in range(41):
         hub.tick(hub.time(number))
     assert len({id(picture.strip) for picture in keeper.got}) == 1 + 40 // AHEAD
+
+
+def test_receivers_that_go_away_in_the_middle_disturb_nobody() -> None:
+    said: list[str] = []
+    read, write = os.pipe()
+    pipe = LineTarget("pipe", os.fdopen(write, "wb", buffering=0))
+    with receiver() as stays, receiver() as goes, serving() as (server, listening):
+        streams = [
+            Stream(target=pipe),
+            open_stream(f"vmc://127.0.0.1:{port(goes)}"),
+            Stream(target=WebSocketTarget("ws", server)),
+            open_stream(f"livelink://127.0.0.1:{port(stays)}"),
+        ]
+        hub = sender(*streams, on_trouble=lambda name, what: said.append(name))
+        for number in range(200):
+            if number == 50:
+                os.close(read)
+                goes.close()
+                listening.close()
+            hub.tick(hub.time(number))
+            assert stays.recv(2000)[1:] == packet(picture(number / 60))[1:]
+        hub.stop()
+    assert said == ["pipe"]
+    assert [count.sent for count in hub.counts[1:]] == [200] * 3 and 0 < hub.counts[0].sent < 200
