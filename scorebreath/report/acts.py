@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
+from scorebreath.curves.performed import performed
 from scorebreath.score.document import Score
 from scorebreath.score.events import Event, Expiration, Hold, Inspiration
 from scorebreath.units import snap
@@ -49,7 +50,7 @@ def acts(score: Score, body: str) -> tuple[Act, ...]:
     """Everything a body does that has a caption, in order of time."""
     done = [
         Act(caption, event.onset, snap(event.end))
-        for event in score.events
+        for event in performed(score).events
         if event.body == body and event.duration > 0 and (caption := caption_of(event))
     ]
     found: list[Act] = []

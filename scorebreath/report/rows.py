@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from scorebreath.curves.performed import performed
 from scorebreath.score.document import Group, Score
 from scorebreath.score.spoken import spoken_groups
 from scorebreath.units import snap
@@ -61,7 +62,7 @@ class Breath:
 
 def breaths(score: Score, body: str) -> tuple[Breath, ...]:
     """The breath groups of one body that have a time, in order of time."""
-    spoken = spoken_groups(score)
+    spoken = spoken_groups(performed(score))
     found: list[Breath] = []
     for group in score.groups:
         own = spoken[group.id]
