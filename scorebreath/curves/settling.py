@@ -73,7 +73,7 @@ MOVEMENTS: Mapping[str, Movement] = MappingProxyType(
         **{name: Movement(reach=0.35) for name in FACTORS},
     }
 )
-"""Every movement by its name; speeds are below those of the channels (`channels.CHANNELS`, physiology 7)."""
+"""Every movement by its name; speeds are below those of the channels (`channels.CHANNELS`)."""
 
 
 def found(time: float, old: Array, new: Array) -> Found:

@@ -64,7 +64,8 @@ class Cut(Event):
     """An interruption: the targets end here, whatever they said.
 
     Those that would begin later never happen. Breaths end at once: what its body does next begins at the onset, from
-    the volume that there is. Sounds fade out in `fade` seconds. The duration is the fade.
+    the volume that there is. Sounds fade out in `fade` seconds. The duration is the fade. Until its onset a cut changes
+    nothing: what stands before it in the Score is seen coming, what stands behind it and begins with it is not.
     """
 
     type: ClassVar[str] = "cut"
