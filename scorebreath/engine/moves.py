@@ -36,9 +36,11 @@ class Move:
 
     def at(self, time: float) -> Heard:
         """What the ratios are then; before its beginning, what they were."""
+        if time < self.time:
+            return self.before
         if time >= self.time + self.glide:
-            return self.after if time >= self.time else self.before
-        share = max(0.0, (time - self.time) / self.glide)
+            return self.after
+        share = (time - self.time) / self.glide
         return Heard(
             **{
                 route: snap(getattr(self.before, route) * (1 - share) + getattr(self.after, route) * share)

@@ -38,6 +38,7 @@ class Engine:
         self.dropped: list[Played] = []
         self.conductor = Conductor(
             clock=LiveClock(start=START, sample_rate=RATE), layout=own_layout(2), mix=Mix(), send=self.take,
+            now=lambda: self.now,
             lookahead=LOOKAHEAD, journal=self.entries.append, dropped=self.dropped.append,
         )  # fmt: skip
         self.conductor.engine_began(own_layout(2), RATE)

@@ -9,6 +9,7 @@ import sys
 import threading
 import time
 from collections import deque
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -26,6 +27,10 @@ DEAF = 3.0
 """s without an answer after which an engine is taken for dead."""
 _LATE = re.compile(r"^late\s+(\d+(?:\.\d*)?)")
 _KEPT = 40  # lines of what an engine said
+_NOT_FOUND = "matching device NOT found"
+_OPTION = re.compile(r"^- (?P<name>\S+ : .+)$")
+_LATENCY = re.compile(r"Latency \(in/out\): [\d.]+ / (?P<out>\d+\.\d+) sec")
+_BLOCK = re.compile(r"driver's block size = (?P<block>\d+)")
 _GONE = 1.0  # s that an ended process may take to go
 
 
@@ -43,6 +48,10 @@ class Backend(Protocol):
     @property
     def late(self) -> int:
         """How often it said that a bundle came too late."""
+
+    @property
+    def output_latency(self) -> float:
+        """Seconds from its output to the speaker, as far as it says; 0 where it does not."""
 
     def start(self) -> int:
         """Have it run; its sample rate, Hz. May be called again when it has ended.
@@ -82,6 +91,7 @@ class SilentBackend:
 
     name = "silent"
     late = 0
+    output_latency = 0.0
 
     def __init__(self, sample_rate: int = SAMPLE_RATE) -> None:
         """Pretend a sample rate, Hz."""
@@ -145,6 +155,7 @@ class RunningBackend(_Linked):
     """An engine that somebody else started. It is left running, without anything of ours."""
 
     late = 0
+    output_latency = 0.0
     layout = GUEST
 
     def __init__(self, host: str, port: int) -> None:
@@ -188,6 +199,7 @@ class StartedBackend(_Linked):
         self.layout = own_layout(self.device.outputs + self.device.inputs)
         self.name = engine.name
         self.late = 0
+        self.output_latency = 0.0
         self._process: subprocess.Popen[str] | None = None
         self._reader: threading.Thread | None = None
         self._said: deque[str] = deque(maxlen=_KEPT)
@@ -201,7 +213,7 @@ class StartedBackend(_Linked):
         """Start it and wait until it answers."""
         self._end()
         self.name = f"{self.engine.name} ({self.engine.version()})"
-        port = _free_port()
+        port = free_port()
         self._said.clear()
         try:
             self._process = subprocess.Popen(
@@ -223,6 +235,10 @@ class StartedBackend(_Linked):
                 what = ending(status) if status is not None else f"did not answer within {BOOT:g} s"
                 raise EngineError(f"the {self.engine.name} engine {what}{_hint(self._said)}", words(self._said))
         self._link = link
+        self.output_latency = latency_said(self._said, link.rate)
+        if any(_NOT_FOUND in line for line in self._said):  # it plays on another one instead
+            self.close()
+            raise EngineError(f"device={self.device.name!r} is not there", devices_said(self._said))
         return round(link.rate)
 
     def trouble(self) -> str:
@@ -271,7 +287,33 @@ class StartedBackend(_Linked):
             self._reader.join(_GONE)
 
 
-def _free_port() -> int:
+def devices_said(lines: Iterable[str]) -> tuple[str, ...]:
+    """Names of devices that an engine listed.
+
+    >>> devices_said(["Device options:", "- ALSA : default", "  (128 ins, 128 outs)"])
+    ('ALSA : default',)
+    """
+    return tuple(found["name"] for line in lines if (found := _OPTION.match(line)))
+
+
+def latency_said(lines: Iterable[str], rate: float) -> float:
+    """Output latency in s: PortAudio's own number, or two of the driver's blocks, which JACK keeps usually.
+
+    >>> latency_said(["  Latency (in/out): 0.000 / 0.009 sec"], 48000)
+    0.009
+    >>> latency_said(["SC_AudioDriver: sample rate = 48000.000000, driver's block size = 240"], 48000)
+    0.01
+    """
+    for line in lines:
+        if found := _LATENCY.search(line):
+            return float(found["out"])
+        if found := _BLOCK.search(line):
+            return 2 * int(found["block"]) / rate
+    return 0.0
+
+
+def free_port() -> int:
+    """A UDP port that nobody uses."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as found:
         found.bind(("127.0.0.1", 0))
         return int(found.getsockname()[1])

@@ -1,6 +1,6 @@
 """Which bundle an engine gets when: everything waits here until its time is near, and nothing is sent for the past.
 
-No threads and no clock of its own: whoever has them calls `pump` with the time. It keeps what is to come, so it
+No threads and no clock of its own: whoever has them calls `pump`. It keeps what is to come, so it
 changes.
 """
 
@@ -65,6 +65,7 @@ class Conductor:
         layout: Which of the engine's numbers are ours.
         mix: How sounds leave the engine.
         send: Gives the engine a bundle.
+        now: The Unix time.
         lookahead: Seconds before its time that a bundle is sent.
         journal: Told of every bundle.
         dropped: Told of sounds whose buffer is no longer needed.
@@ -77,6 +78,7 @@ class Conductor:
         layout: Layout,
         mix: Mix,
         send: Send,
+        now: Callable[[], float],
         lookahead: float,
         journal: Journal | None = None,
         dropped: Callable[[Played], None] = lambda _: None,
@@ -87,7 +89,7 @@ class Conductor:
         """whether there is an engine; while there is none, what comes due is lost"""
         self.tally = Tally()
         self.ratios = Ratios()
-        self._send, self._journal, self._dropped = send, journal, dropped
+        self._send, self._now, self._journal, self._dropped = send, now, journal, dropped
         self._heap: list[_Item] = []
         self._order, self._nodes = itertools.count(), itertools.count()
         self._noises = 0
@@ -95,7 +97,6 @@ class Conductor:
         self._endings: dict[str, Ending] = {}
         self._bodies: dict[str, int] = {}
         self._pans = dict(mix.pans)
-        self._now = 0.0
 
     @property
     def waiting(self) -> int:
@@ -164,7 +165,7 @@ class Conductor:
         heapq.heapify(self._heap)
         if self.alive:
             self._send(AT_ONCE, [message("/g_freeAll", self.layout.sounds)])
-        now = self.clock.seconds(self._now)
+        now = self.clock.seconds(self._now())
         for played in self._here:
             if played.node is not None and played.sound.time > now - self.lookahead:
                 self._free(played, now)
@@ -180,7 +181,6 @@ class Conductor:
         Returns:
             Unix time at which to come again; None: when something new is told.
         """
-        self._now = max(self._now, unix)
         now = self.clock.seconds(unix)
         while self._heap and self._heap[0].send_at <= now + _GRAIN:
             heapq.heappop(self._heap).do(now)
@@ -209,7 +209,7 @@ class Conductor:
             self._enter(name)
 
     def _enter(self, name: str) -> None:
-        heard = self.ratios.at(name, self.clock.seconds(self._now))
+        heard = self.ratios.at(name, self.clock.seconds(self._now()))
         number, pan = self._bodies[name], self._pans.get(name, 0.0)
         self._send(AT_ONCE, tuple(orders.body(self.layout, number, pan, heard)))
 
@@ -240,7 +240,7 @@ class Conductor:
     def _cut(self, played: Played, ending: Ending) -> None:
         """A cut of a sound that is here."""
         left = left_of(played.sound, ending)
-        now = self.clock.seconds(self._now)
+        now = self.clock.seconds(self._now())
         if left is None:
             if played.node is not None and played.sound.time <= now + MARGIN:  # it has begun, or is about to
                 left = replace(played.sound, cut=Ending(time=max(played.sound.time, ending.time), fade=ending.fade))

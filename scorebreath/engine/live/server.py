@@ -80,7 +80,7 @@ class LiveServer:
             self._shelf = Shelf(self._folder, backend.layout, self._rate)
             self._conductor = Conductor(
                 clock=LiveClock(start=now(), sample_rate=self._rate),
-                layout=backend.layout, mix=self.mix, send=self._send, lookahead=lookahead, journal=journal,
+                layout=backend.layout, mix=self.mix, send=self._send, now=now, lookahead=lookahead, journal=journal,
                 dropped=self._drop,
             )  # fmt: skip
             self._teach(self._known)
@@ -105,6 +105,11 @@ class LiveServer:
     def latency(self) -> float:
         """Seconds by which the limiter is late."""
         return LOOK_AHEAD if self.mix.limited else 0.0
+
+    @property
+    def output_latency(self) -> float:
+        """Seconds from the engine's output to the speaker, as far as the device says."""
+        return self._backend.output_latency
 
     @property
     def sample_rate(self) -> int:
@@ -206,7 +211,12 @@ class LiveServer:
         """Send what is due, as long as there is anything."""
         while not self._over.is_set():
             with self._woken:
-                following = self._conductor.pump(self._now())
+                try:
+                    following = self._conductor.pump(self._now())
+                except Exception as error:  # one thing that cannot be sent must not silence the rest
+                    self._told(f"a bundle is lost: {error}")
+                    self._conductor.tally.lost += 1
+                    continue
                 wait = _GLANCE if following is None else min(_GLANCE, max(0.0, following - self._now()))
                 if wait > 0 and not self._over.is_set():
                     self._woken.wait(wait)

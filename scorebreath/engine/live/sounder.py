@@ -35,6 +35,10 @@ class Sounder(Protocol):
         """Seconds from a sound's time to the engine's output."""
 
     @property
+    def output_latency(self) -> float:
+        """Seconds from the engine's output to the speaker, as far as the device says; 0 where it does not."""
+
+    @property
     def sample_rate(self) -> int:
         """Of the engine, Hz."""
 
