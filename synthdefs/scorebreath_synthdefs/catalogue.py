@@ -23,6 +23,10 @@ MOVER = "scorebreath_mover"
 """Name of what moves a body's ratios."""
 PLACE = "scorebreath_place"
 """Name of what puts a body between the speakers."""
+CLICK = "scorebreath_click"
+"""Name of what plays a click and records what comes back."""
+CLICK_LENGTH = 0.001
+"""s"""
 Route = Literal["speech", "mouth", "nose", "brightness"]
 HEARD: tuple[Route, ...] = get_args(Route)
 """Ratios of a body, in the order of its control buses: gain of speech, of breaths through mouth and nose, and what
@@ -236,6 +240,18 @@ HELPERS: Mapping[str, Instrument] = MappingProxyType(
                 }
             ),
         ),
+        CLICK: Instrument(
+            about="a click, and a recording of the first input from its first sample on",
+            controls=MappingProxyType(
+                {
+                    "out": Control(default=0, unit="bus", about="first of two outputs"),
+                    "buffer": Control(
+                        default=0, unit="buffer", about="mono; when it is full, the recorder frees itself"
+                    ),
+                    "level": Control(default=0.5, unit="amplitude", about="of the click"),
+                }
+            ),
+        ),
         **{
             master_name(channels, limited): Instrument(
                 about=f"all bodies into {channels} output{'s' * (channels > 1)}{', limited' * limited}",
@@ -264,13 +280,14 @@ def synthdef(name: str) -> SynthDef:
         KeyError: The catalogue has no such name.
     """
     from scorebreath_synthdefs.breath import breath
+    from scorebreath_synthdefs.loop import click
     from scorebreath_synthdefs.mixing import master, place
     from scorebreath_synthdefs.moving import mover
     from scorebreath_synthdefs.recording import recording
     from scorebreath_synthdefs.speech import speech
 
     instrument = ALL[name]
-    makers = {SPEECH: speech, RECORDING: recording, MOVER: mover, PLACE: place}
+    makers = {SPEECH: speech, RECORDING: recording, MOVER: mover, PLACE: place, CLICK: click}
     if name in makers:
         return makers[name](name, instrument)
     for channels in (1, 2):

@@ -17,8 +17,8 @@ from scorebreath_synthdefs.catalogue import ALL, synthdef
 
 FOLDER, DIGEST = "scsyndef", "sources.sha256"
 SOURCES = (
-    "breath.py", "catalogue.py", "envelope.py", "graph.py", "loudness.py", "mixing.py", "moving.py", "recording.py",
-    "speech.py", "touch.py", "tracts.py",
+    "breath.py", "catalogue.py", "envelope.py", "graph.py", "loop.py", "loudness.py", "mixing.py", "moving.py",
+    "recording.py", "speech.py", "touch.py", "tracts.py",
 )  # fmt: skip
 """What instruments are made from."""
 _HEAD = struct.Struct(">4sih")  # SCgf, version, how many
