@@ -76,6 +76,7 @@ class Simulated:
     flush: int = NOTHING
     starved: bool = True
     making: deque[tuple[float, Prepared]] = field(default_factory=deque)
+    failed: list[Prepared] = field(default_factory=list)
 
     def tell(self, message: Callable[[Preparer], None]) -> None:
         message(self.preparer)
@@ -97,6 +98,7 @@ class Simulated:
                 made = Prepared(
                     group=made.group, parts=(), media={}, generation=made.generation, problem="the voice is hoarse"
                 )
+                self.failed.append(made)
                 takes = 0.0
             self.busy_until = max(self.now, self.busy_until) + takes
             self.making.append((self.busy_until, made))
@@ -139,7 +141,7 @@ class Stage:
         lead: float = 0.5,
         tail: float = 1.0,
         states: Mapping[str, float] | None = None,
-        step: float = 0.02,
+        step: float = 0.25,
         voices: Callable[[str], Voice] | None = None,
         cast: Mapping[str, Parameters] | None = None,
     ) -> None:
@@ -174,7 +176,7 @@ class Stage:
             timing=timing or Timing(), lead=lead, tail=tail, begun=begun, tell=self.told.append,
         )  # fmt: skip
         self.now = self.performance.now
-        self.step = step
+        self.step, self.wake = step, self.now
 
     def say(self, text: str, voice: str = "") -> None:
         """A whole text."""
@@ -198,9 +200,9 @@ class Stage:
     def go(self, until: float, each: Callable[[], None] = lambda: None) -> None:
         """Let time pass."""
         while self.now < until and not self.over:
-            self.now += self.step
+            self.now = max(self.now + 0.001, min(self.wake, self.now + self.step))
             self.backstage.now = self.sounder.now = self.now
-            self.performance.advance(self.now)
+            self.wake = self.performance.advance(self.now)
             each()
 
     @property
