@@ -7,6 +7,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -351,6 +352,28 @@ def test_an_engine_that_hangs_is_killed_when_it_is_closed(tmp_path: Path) -> Non
 test_an_engine_that_hangs_is_killed_when_it_is_closed = pytest.mark.jack(
     test_an_engine_that_hangs_is_killed_when_it_is_closed
 )
+
+
+@pytest.mark.jack
+@pytest.mark.skipif(shutil.which("jackd") is None or shutil.which("scsynth") is None, reason="needs jackd and scsynth")
+def test_an_engine_does_not_outlive_whoever_started_it() -> None:
+    code = (
+        f"import sys, time; sys.path[:0] = {sys.path!r}\n"
+        "from scorebreath.engine.live.making import sounder_named\n"
+        "sounder = sounder_named('scsynth')\n"
+        "print(sounder._backend.pid, flush=True)\n"
+        "time.sleep(600)\n"
+    )
+    with jack_server(synchronous=False):
+        owner = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+        try:
+            assert owner.stdout is not None
+            engine = int(owner.stdout.readline())
+            assert _alive(engine)
+        finally:
+            owner.kill()
+            owner.communicate()
+        until(lambda: not _alive(engine), "the engine to end")
 
 
 def test_a_live_server_is_a_sounder() -> None:

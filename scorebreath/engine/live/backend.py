@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 import socket
 import subprocess
@@ -11,10 +12,12 @@ import time
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Protocol
 
 from scorebreath.engine.engines import Engine
 from scorebreath.engine.failures import ending, words
+from scorebreath.engine.live.guard import DONE
 from scorebreath.engine.live.layout import GUEST, Layout, own_layout
 from scorebreath.engine.live.link import Link, Reply
 from scorebreath.engine.osc import message
@@ -201,6 +204,7 @@ class StartedBackend(_Linked):
         self.late = 0
         self.output_latency = 0.0
         self._process: subprocess.Popen[str] | None = None
+        self._guard: subprocess.Popen[bytes] | None = None
         self._reader: threading.Thread | None = None
         self._said: deque[str] = deque(maxlen=_KEPT)
 
@@ -223,6 +227,10 @@ class StartedBackend(_Linked):
             )  # fmt: skip
         except OSError as error:
             raise EngineError(f"the {self.engine.name} engine does not start: {error}") from None
+        self._guard = subprocess.Popen(
+            [sys.executable, "-I", "-S", str(Path(__file__).with_name("guard.py")), str(self._process.pid)],
+            stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )  # fmt: skip
         self._reader = threading.Thread(target=self._read, args=(self._process,), name="engine-words", daemon=True)
         self._reader.start()
         link = Link("127.0.0.1", port)
@@ -285,6 +293,12 @@ class StartedBackend(_Linked):
             process.wait(_GONE)
         if self._reader is not None:
             self._reader.join(_GONE)
+        guard, self._guard = self._guard, None
+        if guard is not None:
+            with contextlib.suppress(OSError, subprocess.TimeoutExpired):
+                guard.communicate(DONE, timeout=_GONE)
+            guard.kill()
+            guard.wait()
 
 
 def devices_said(lines: Iterable[str]) -> tuple[str, ...]:
