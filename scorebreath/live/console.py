@@ -87,8 +87,13 @@ class Console:
                 f"{did_you_mean(name, COMMANDS)}"
             )
         self._voice(body)
+        open_texts = list(self._streams.values()) if name == "end" else []
+        if name == "end":
+            self._streams.clear()
 
         def carry_out(performance: Performance) -> None:
+            for text in open_texts:
+                performance.supply.go_on(text, None, performance.now)
             for who in _who(performance, body, name):
                 _write(performance, who, name)
                 if name in orders.ACTS:

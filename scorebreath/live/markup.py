@@ -22,7 +22,7 @@ LONGEST_TAG = 400
 """Code points after which an open bracket is text."""
 _UNSURE = re.compile(r"[\s\\]*$")
 _SAFE = re.compile(r"(?<=[^\s\]\\])\s(?=\w)")
-_BRACKETS = re.compile(r"\[[^\]\n]*\]?")
+_BRACKET = re.compile(r"\[[^\]\n]*\]?")
 
 
 class Clean(NamedTuple):
@@ -65,12 +65,7 @@ class TagStream:
         raw, self._pending = self._pending[:end], self._pending[end:]
         if not raw:
             return []
-        problem = ""
-        try:
-            pieces, found = find(Origin(text=raw, file=""))
-        except ScriptError as error:
-            problem = str(error).splitlines()[0]
-            pieces, found = [_BRACKETS.sub("", raw)], []
+        pieces, found, problem = _without_tags(raw)
         before = len(self._behind)
         bare = self._behind + "".join(pieces)
         text, marks, _ = settle(bare, [(place + before, mark) for place, mark in found], ())
@@ -78,6 +73,22 @@ class TagStream:
         self._length += len(clean)
         self._behind = text[-CONTEXT:]
         return [Clean(clean, tuple(replace(mark, at=mark.at + shift) for mark in marks), problem)]
+
+
+def _without_tags(raw: str) -> tuple[list[str], list[tuple[int, Mark]], str]:
+    """A piece between its tags, the marks, and what is wrong with a tag: that one is left out."""
+    problem = ""
+    while True:
+        try:
+            pieces, found = find(Origin(text=raw, file=""))
+        except ScriptError as error:
+            problem = problem or str(error).splitlines()[0]
+            lines = raw.split("\n")
+            at = sum(len(line) + 1 for line in lines[: error.line - 1]) + error.column - 1
+            bracket = _BRACKET.match(raw, at)
+            raw = raw[:at] + raw[bracket.end() if bracket else at + 1 :]
+        else:
+            return pieces, found, problem
 
 
 def _open(text: str) -> bool:

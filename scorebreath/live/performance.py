@@ -151,6 +151,11 @@ class Performance:
         line = self._next.before[1] if self._next else self.line
         return min(self.silent - self.timing.reaction - self.timing.margin, line - self.timing.ahead)
 
+    @property
+    def coming(self) -> list[Prepared]:
+        """Groups that are ready and not decided, in order."""
+        return [*([self._next.prepared] if self._next else ()), *self.supply.ready]
+
     def _wake(self) -> float:
         if self.over is not None:
             return self.over

@@ -140,6 +140,7 @@ class Prompter:
 
     def prefer(self, voice: str, place: int, *, plan: Plan, blend: Blend, time: float) -> None:
         """Plan what somebody says before everything else, from a place of the text on; others go on behind it."""
+        self._used[VoiceMark] = NEUTRAL[VoiceMark]
         self._put_back(place)
         chosen = [text for text in self.texts if text.voice == voice]
         for text in self.texts:
@@ -205,7 +206,7 @@ class Prompter:
             self._take(text, text.waiting.popleft())
         elif text.complete or (flush == ALL and text.reading is not None):
             text.pause()
-        elif flush == SENTENCES and not self._over:
+        elif flush == SENTENCES and (not self._over or (text.reading is not None and text.reading.holds)):
             text.settle()
         else:
             return False

@@ -123,6 +123,11 @@ class Reading:
         """A piece, with tags; the sentences that are certain now."""
         return [sentence for clean in self._tags.feed(piece) for sentence in self._hear(*clean)]
 
+    @property
+    def holds(self) -> bool:
+        """Whether a sentence waits for the next one's mood."""
+        return self._moods is not None and self._moods.waits
+
     def settle(self) -> list[Sentence]:
         """Sentences that waited for the next one's mood."""
         return self._moods.finish() if self._moods else []

@@ -62,6 +62,11 @@ class Moods:
         self._walk.own(begun)
         self._waiting: _Sentence | None = None
 
+    @property
+    def waits(self) -> bool:
+        """Whether a sentence waits for the one behind it."""
+        return self._waiting is not None
+
     def feed(self, sentence: Sentence) -> list[Sentence]:
         """Take one sentence; give the one before it."""
         here, last = _Sentence(sentence), self._waiting

@@ -1,9 +1,10 @@
-"""Performances by chance: texts, commands and moves at any time, with a voice that is sometimes slow, late or failing."""
+"""Performances by chance: texts, commands and moves at any time, with a voice that is slow, late or failing."""
 
 from __future__ import annotations
 
 import random
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -114,11 +115,11 @@ def overlaps(score: Score, kinds: tuple[type, ...]) -> list[str]:
     """Events of these kinds that happen at the same time, as they come to be with the cuts."""
     ends = endings(score.events)
     happened = [e for e in score.events if isinstance(e, kinds) and not (e.id in ends and ends[e.id].prevents(e))]
-    happened.sort(key=lambda event: (event.onset, end_of(event, ends)))
+    happened.sort(key=lambda event: (event.body, event.onset, end_of(event, ends)))
     return [
         f"{one.id} and {two.id}"
-        for one, two in zip(happened, happened[1:], strict=False)
-        if end_of(one, ends) > two.onset + 2e-6
+        for one, two in pairwise(happened)
+        if one.body == two.body and end_of(one, ends) > two.onset + 2e-6
     ]
 
 

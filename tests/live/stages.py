@@ -153,9 +153,9 @@ class Stage:
             breathing=breathing_model(model), voice=voice, voices=voices, parameters=p, cast=cast or {},
             language=language, seed=seed, recordings=None,
         )  # fmt: skip
-        body = ensemble.performer("").body()
+        bodies = tuple(ensemble.performer(name).body() for name in ("", *(cast or {})))
         self.ledger = Ledger(
-            Score(made_by=made_by(), seed=seed, language=language, model=model, text="", duration=0.0, bodies=(body,))
+            Score(made_by=made_by(), seed=seed, language=language, model=model, text="", duration=0.0, bodies=bodies)
         )
         self.told: list[str] = []
         plan = Plan(
@@ -167,7 +167,7 @@ class Stage:
         preparer = Preparer(
             prompter, voices=lambda name: ensemble.performers[name].voice if name in ensemble.performers else
             (voices(name) if name and voices else voice),
-            parameters=lambda name: (cast or {}).get(name, p), media=self.media,
+            parameters=self._parameters, media=self.media,
         )  # fmt: skip
         self.backstage = Simulated(preparer, latency)
         self.sounder = Listener()
@@ -177,6 +177,9 @@ class Stage:
         )  # fmt: skip
         self.now = self.performance.now
         self.step, self.wake = step, self.now
+
+    def _parameters(self, voice: str) -> Parameters:
+        return self.performance.parameters(voice)
 
     def say(self, text: str, voice: str = "") -> None:
         """A whole text."""

@@ -59,7 +59,7 @@ def test_lungs_never_jump(rehearsal: Rehearsal) -> None:
     times = np.arange(0.0, score.duration, 0.005)
     volume = curves(score).sample(times, ["lung_volume"])[:, 0]
     assert float(np.abs(np.diff(volume)).max()) <= FASTEST * 0.005
-    assert 0.0 <= float(volume.min()) and float(volume.max()) <= 1.0
+    assert float(volume.min()) >= 0.0 and float(volume.max()) <= 1.0
 
 
 def test_it_can_be_saved(rehearsal: Rehearsal) -> None:
