@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from scorebreath.engine.engines import DEFAULT, engine_named
 from scorebreath.engine.live import orders
-from scorebreath.engine.live.backend import Device, StartedBackend
+from scorebreath.engine.live.backend import Device
+from scorebreath.engine.live.process import StartedBackend
 from scorebreath.engine.live.sounder import LOOKAHEAD
 from scorebreath.engine.live.timing import LiveClock
 from scorebreath.engine.osc import bundle, message

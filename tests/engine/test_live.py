@@ -15,12 +15,13 @@ from pathlib import Path
 
 import pytest
 
-from scorebreath.engine.live.backend import Device, StartedBackend
+from scorebreath.engine.live.backend import Device
 from scorebreath.engine.live.conductor import Played
 from scorebreath.engine.live.devices import devices
 from scorebreath.engine.live.journal import Entry, JournalFile
 from scorebreath.engine.live.making import NAMES, backend_named, sounder_named
 from scorebreath.engine.live.orders import Mix, instrument
+from scorebreath.engine.live.process import StartedBackend
 from scorebreath.engine.live.server import LiveServer
 from scorebreath.engine.live.sounder import Sounder
 from scorebreath.engine.onsets import Onset, onsets

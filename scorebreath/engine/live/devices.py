@@ -8,7 +8,7 @@ import time
 from dataclasses import dataclass
 
 from scorebreath.engine.engines import Embedded, engine_named
-from scorebreath.engine.live.backend import devices_said, free_port
+from scorebreath.engine.live.process import devices_said, free_port
 from scorebreath.engine.lookalike import READY
 from scorebreath.errors import EngineError
 

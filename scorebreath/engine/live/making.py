@@ -6,7 +6,8 @@ import re
 from typing import Any
 
 from scorebreath.engine.engines import DEFAULT, engine_named
-from scorebreath.engine.live.backend import Backend, Device, RunningBackend, SilentBackend, StartedBackend
+from scorebreath.engine.live.backend import Backend, Device, RunningBackend, SilentBackend
+from scorebreath.engine.live.process import StartedBackend
 from scorebreath.engine.live.server import LiveServer
 from scorebreath.errors import InputError
 
