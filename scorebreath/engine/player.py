@@ -22,7 +22,6 @@ AHEAD = 4.0
 FADE = 0.05
 """s in which what sounds fades out when playing is stopped."""
 _STEP = 0.05  # s between looks
-_SOON = 0.03  # s until a stop is heard
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,7 +79,7 @@ def play_score(
         rounds.begin(number, begin, first)
         while (now := clock.now() - sounder.start_unix) < end - (AHEAD if loop else 0.0):
             if over.is_set():
-                sounder.cut(now + _SOON, rounds.sounding(now), FADE)
+                sounder.hush(FADE)
                 return False
             rounds.feed(now + AHEAD)
             if on_time is not None:
@@ -100,7 +99,7 @@ def _position(since: float, duration: float, start: float, loop: bool) -> float:
 
 
 class _Rounds:
-    """Gives a sounder one round after the other, a few seconds ahead. It remembers what it gave, so it changes."""
+    """Gives a sounder one round after the other, a few seconds ahead. It keeps what is left of one, so it changes."""
 
     def __init__(
         self, sounder: Sounder, media: MediaStore, sounds: Sequence[Onset], moved: Sequence[Move], duration: float
@@ -108,7 +107,6 @@ class _Rounds:
         self._sounder, self._media = sounder, media
         self._sounds, self._moved, self._duration = sounds, moved, duration
         self._coming: list[Onset | Move] = []
-        self._given: list[Onset] = []
 
     def begin(self, number: int, begin: float, start: float) -> None:
         """A round whose second 0 is at `begin`, from `start` on."""
@@ -134,13 +132,7 @@ class _Rounds:
                 self._sounder.move(one.time, one.body, one.after, one.glide)
         sounds = [one for one in due if isinstance(one, Onset)]
         if sounds:
-            self._given += sounds
             self._sounder.play(sounds, self._media)
-
-    def sounding(self, now: float) -> list[str]:
-        """Events of what was given and is not over."""
-        self._given = [one for one in self._given if one.end > now]
-        return sorted({one.event for one in self._given})
 
 
 def seek(sound: Onset, start: float) -> Onset | None:

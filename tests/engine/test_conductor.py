@@ -160,6 +160,23 @@ def test_panic_is_silence_at_once() -> None:
     assert engine.conductor.waiting == 0
 
 
+def test_a_hush_fades_what_sounds_and_drops_the_rest() -> None:
+    """And what comes later under the same name is heard."""
+    engine = Engine()
+    for time, event in ((1.0, "a"), (1.3, "b"), (2.0, "c")):
+        engine.conductor.play(sound(time, 3.0, event))
+    engine.until(1.2)
+    engine.conductor.hush(0.1)
+    engine.until(3.0)
+    engine.conductor.play(sound(4.0, 0.5, "c"))
+    engine.until(9.0)
+    (ended,) = engine.of("/n_set")
+    assert settings(ended, 1) == {"cut": pytest.approx(0.25), "fade": pytest.approx(0.1)}
+    (freed,) = engine.of("/n_free")
+    assert freed[1] == pytest.approx(1.3, abs=1 / RATE)
+    assert [when for _, when, *_ in engine.of("/s_new", BREATH)] == pytest.approx([1.0, 1.3, 4.0], abs=1 / RATE)
+
+
 def test_an_engine_that_dies_and_comes_back() -> None:
     """What had not begun begins; what sounded and what came due meanwhile is lost; ratios are as they were."""
     engine = Engine()

@@ -15,6 +15,8 @@ from pathlib import Path
 
 import pytest
 
+from scorebreath.engine.engines import External
+from scorebreath.engine.live import process
 from scorebreath.engine.live.backend import Device
 from scorebreath.engine.live.conductor import Played
 from scorebreath.engine.live.devices import devices
@@ -158,7 +160,7 @@ def test_a_guest_in_somebody_elses_engine_leaves_nothing_behind() -> None:
     import supriya
 
     with jack_server():
-        host = StartedBackend(backend_named("scsynth").engine)  # type: ignore[attr-defined]
+        host = StartedBackend(External())
         host.start()
         assert host._link is not None
         port = host._link._socket.getpeername()[1]
@@ -179,6 +181,34 @@ def test_a_guest_in_somebody_elses_engine_leaves_nothing_behind() -> None:
         finally:
             other.disconnect()
             host.close()
+
+
+@pytest.mark.jack
+@pytest.mark.skipif(shutil.which("jackd") is None or shutil.which("scsynth") is None, reason="needs jackd and scsynth")
+def test_somebody_elses_engine_that_is_started_anew_is_found_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    troubles: list[str] = []
+    with jack_server(synchronous=False):
+        host = StartedBackend(External())
+        host.start()
+        assert host._link is not None
+        port = host._link._socket.getpeername()[1]
+        monkeypatch.setattr(process, "free_port", lambda: port)
+        try:
+            with sounder_named(f"scsynth@127.0.0.1:{port}", on_trouble=troubles.append) as sounder:
+                begun(sounder, 0.2)
+                assert host.pid is not None
+                os.kill(host.pid, signal.SIGKILL)
+                until(lambda: not sounder.status().alive, "the loss to be noticed")
+                host.start()
+                until(lambda: sounder.status().restarts == 1, "it to be found again")
+                sounds = some(time.time() - sounder.start_unix + 0.5, 1)
+                sounder.play(sounds, STORE)
+                until(lambda: sounder.status().sent == len(sounds), "it to go on")
+                time.sleep(0.6)
+                assert not [line for line in host._said if "FAILURE" in line and "/n_free" not in line]
+        finally:
+            host.close()
+    assert "does not answer" in troubles[0]
 
 
 def test_nobody_answers_there() -> None:

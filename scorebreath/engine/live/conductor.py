@@ -158,6 +158,12 @@ class Conductor:
                 self._enter(name)
         return self._bodies[name]
 
+    def hush(self, fade: float) -> None:
+        """What sounds fades out now, and what waits is dropped; what comes later is not touched."""
+        ending = Ending(time=self.clock.seconds(self._now()) + MARGIN + CUT_MARGIN, fade=fade)
+        for played in self.here:
+            self._cut(played, ending)
+
     def panic(self) -> None:
         """Silence, and nothing more."""
         waiting, self._heap = self._heap, []

@@ -146,6 +146,13 @@ class LiveServer:
             self._conductor.move(time, body, heard, glide)
             self._woken.notify_all()
 
+    def hush(self, fade: float) -> None:
+        """What sounds fades out, and what was given is dropped."""
+        with self._woken:
+            self._generation += 1
+            self._conductor.hush(fade)
+            self._woken.notify_all()
+
     def panic(self) -> None:
         """Silence at once; what is being made ready is dropped, too."""
         with self._woken:

@@ -54,6 +54,9 @@ class Sounder(Protocol):
     def move(self, time: float, body: str, heard: Heard, glide: float) -> None:
         """What a body's sounds are moved to, as a `parameter` event has it; of a body in order of time."""
 
+    def hush(self, fade: float) -> None:
+        """What sounds fades out in so many seconds, from now, and nothing more of what was given begins."""
+
     def panic(self) -> None:
         """Silence at once, and nothing more of what was given."""
 
