@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from scorebreath.curves.curve_set import CurveSet
 from scorebreath.curves.performed import performed
 from scorebreath.errors import InputError
+from scorebreath.report import figure
 from scorebreath.report.compact import BLOCK, CompactSound
 from scorebreath.report.rows import clock, groups_counted
 from scorebreath.report.transcript import transcript
-from scorebreath.score.acting import EMOTIONS
 from scorebreath.score.document import Score
 from scorebreath.score.events import Inspiration
 from scorebreath.units import snap
@@ -26,14 +26,7 @@ from scorebreath.units import snap
 LONGEST = 600.0
 """s; of a longer Score the preview holds the beginning: 1.5 MB a minute, 21 MB at most"""
 FPS = 60
-CHANNELS = (
-    "lung_volume", "thorax", "abdomen", "shoulder", "nostril_flare", "mouth_open", "airflow",
-    "jaw_open", "lip_close", "lip_round", "lip_spread", "lip_tuck", "tongue_tip",
-    "head_pitch", "head_yaw", "head_roll", "eye_pitch", "eye_yaw", "lid_left", "lid_right",
-    "brow_left", "brow_right", "brow_frown", "wrinkle_forehead", "wrinkle_glabella",
-    *(f"emotion_{name}" for name in EMOTIONS),
-    "speech_level", "breath_level",
-)  # fmt: skip
+CHANNELS = figure.CHANNELS
 """What the page draws."""
 STEPS = 2**16 - 1
 Samples = NDArray[np.floating[Any]]
@@ -73,10 +66,10 @@ class Preview:
             "language": html.escape(score.language or "en", quote=True),
             "title": html.escape(_title(score)),
             "facts": html.escape(_facts(score, curve_set, self.shown)),
-            "style": _static("preview.css"),
-            "figure": _static("figure.svg"),
+            "style": figure.style() + _static("preview.css"),
+            "figure": figure.drawing(),
             "data": _data(score, curve_set, self.shown),
-            "script": _static("face.js") + _static("figure.js") + _static("preview.js"),
+            "script": figure.script() + _static("preview.js"),
         }
 
     def write(self, stream: BinaryIO, sound: CompactSound) -> None:
@@ -87,8 +80,8 @@ class Preview:
             sound: The first `shown` seconds of it, all given; time 0 is the Score's.
         """
         parts = {**self._parts, "sound": base64.b64encode(sound.flac()).decode("ascii")}
-        for number, piece in enumerate(_static("preview.html").replace("}}", "{{").split("{{")):
-            stream.write((parts[piece] if number % 2 else piece).encode("utf-8", "replace"))
+        for piece in figure.filled(_static("preview.html"), parts):
+            stream.write(piece.encode("utf-8", "replace"))
 
 
 def seconds_shown(score: Score) -> float:

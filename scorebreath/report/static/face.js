@@ -1,6 +1,6 @@
 // The face from the front, few lines, each a function of the channels. The character's own left is on the right of the page.
-const face = (() => {
-  const at = id => document.getElementById(id);
+// `at` finds a part of the drawing by its id.
+function faceIn(at) {
   const n = x => x.toFixed(2);
   const path = (id, ...parts) => at(id).setAttribute("d", parts.map(p => typeof p === "number" ? n(p) : p).join(" "));
   const move = (id, x, y, more = "") => at(id).setAttribute("transform", `translate(${n(x)} ${n(y)})${more}`);
@@ -154,4 +154,4 @@ const face = (() => {
       fade("face-cheeks", .35 + .45 * s.smile);
     },
   };
-})();
+}

@@ -1,7 +1,11 @@
 // The figure: shapes as functions of the channels. 1 unit of chest or belly is about 30 mm, at 0.7 pixels a millimetre.
-const figure = (() => {
+// A page that shows several gives each drawing ids that begin with a prefix of its own.
+function figureIn(svg, prefix = "") {
   const FULL = 21, JAW = 27, NOSTRIL = 5, SHOULDER = 14, HINGE = [176, 122];
-  const at = id => document.getElementById(id);
+  const parts = Object.fromEntries(Array.from(svg.querySelectorAll("[id]"), part => [part.id.slice(prefix.length), part]));
+  const at = id => parts[id];
+  const heads = svg.querySelectorAll(".head"), airs = at("air").querySelectorAll("path"), voices = at("voice").querySelectorAll("path");
+  const face = faceIn(at);
   const path = (id, d) => at(id).setAttribute("d", d);
   const n = x => x.toFixed(2);
   const mix = parts => parts.map(p => typeof p === "number" ? n(p) : p).join(" ");
@@ -54,29 +58,30 @@ const figure = (() => {
   function air(pose, still) {
     const flow = Math.min(1, Math.abs(pose.airflow) / 1.2);
     const open = pose.mouth_open + pose.nostril_flare, seen = pose.airflow > 0 || pose.breath_level > -79;
-    for (const line of document.querySelectorAll("#air path")) {
+    for (const line of airs) {
       const nose = line.classList.contains("nose");
       const share = open > 0 ? (nose ? pose.nostril_flare : pose.mouth_open) / open : (nose ? 1 : 0);
       line.setAttribute("opacity", seen ? n(flow * Math.min(1, .25 + share)) : 0);
       line.setAttribute("stroke-dashoffset", still ? 0 : n(-pose.lung_volume * 1400));
     }
     const loud = Math.max(0, 1 + pose.speech_level / 40);
-    document.querySelectorAll("#voice path").forEach((arc, i) => arc.setAttribute("opacity", n(Math.max(0, Math.min(1, 3 * loud - i)) * .8)));
+    voices.forEach((arc, i) => arc.setAttribute("opacity", n(Math.max(0, Math.min(1, 3 * loud - i)) * .8)));
     return loud;
   }
 
   path("rest", mix(["M", 250, 580, ...front(0, 0, 0)]));
-  return function draw(pose, gain, still) {
+  // `lips` is false where no channel moves the lips: then they follow the loudness.
+  return function draw(pose, gain, still, lips = true) {
     const chest = pose.thorax * gain, belly = pose.abdomen * gain, lift = pose.shoulder * gain;
     torso(chest, belly, lift, pose.lung_volume);
     nose(pose.nostril_flare * gain);
     const loud = air(pose, still);
-    if (!lipsMove) pose = {...pose, jaw_open: .28 * Math.max(0, loud - .35)};
+    if (!lips) pose = {...pose, jaw_open: .28 * Math.max(0, loud - .35)};
     pose = {...pose, mouth_open: Math.min(1, pose.mouth_open * gain)};
     mouth(face.aperture(pose));
     eye(pose.lid_right, pose.brow_right);
     face.draw(pose, gain);
-    for (const part of document.querySelectorAll("#figure .head"))
+    for (const part of heads)
       part.setAttribute("transform", `translate(0 ${n(-.25 * lift * SHOULDER)}) rotate(${n(-pose.head_pitch * gain)} 172 216)`);
   };
-})();
+}

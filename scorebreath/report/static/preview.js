@@ -25,6 +25,7 @@ for (const [name, {low, step, values}] of Object.entries(data.channels)) {
 }
 // A Score that knows no phones has lips that follow the loudness.
 const lipsMove = ["jaw_open", "lip_close", "lip_round", "lip_spread"].some(name => channels[name].some(v => v > .01));
+const figure = figureIn(at("figure"));
 function sample(name, t) {
   const values = channels[name], x = Math.min(Math.max(t * data.fps, 0), values.length - 1), i = Math.floor(x);
   const next = values[Math.min(i + 1, values.length - 1)];
@@ -243,7 +244,7 @@ function pose(t) {
   follow(t);
   strip(t);
   overview(t);
-  figure(values, state.gain, still); // writes come after all reads of the layout
+  figure(values, state.gain, still, lipsMove); // writes come after all reads of the layout
   for (const name in values) at("figure").dataset[name.replace(/_(.)/g, (_, c) => c.toUpperCase())] = values[name].toFixed(6);
   at("figure").dataset.time = t.toFixed(6);
   at("read-volume").textContent = `${(100 * values.lung_volume).toFixed(0)} % VC`;
