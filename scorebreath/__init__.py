@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:  # the same table for type checkers
     from scorebreath.compose.models import MODELS as MODELS
     from scorebreath.curves.curve_set import CurveSet as CurveSet
+    from scorebreath.engine.live.making import sounder_named as sounder_named
     from scorebreath.engine.offline import render as render
     from scorebreath.errors import EngineError as EngineError
     from scorebreath.errors import EnvironmentFailure as EnvironmentFailure
@@ -28,6 +29,8 @@ if TYPE_CHECKING:  # the same table for type checkers
     from scorebreath.errors import ScoreError as ScoreError
     from scorebreath.errors import ScriptError as ScriptError
     from scorebreath.errors import VoiceError as VoiceError
+    from scorebreath.live.show import Setting as Setting
+    from scorebreath.live.show import Show as Show
     from scorebreath.media.store import FolderStore as FolderStore
     from scorebreath.media.store import MediaStore as MediaStore
     from scorebreath.media.store import MemoryStore as MemoryStore
@@ -41,6 +44,7 @@ if TYPE_CHECKING:  # the same table for type checkers
     from scorebreath.score.document import Score as Score
     from scorebreath.score.files import load as load
     from scorebreath.score.files import save as save
+    from scorebreath.score.take import read_take as read_take
     from scorebreath.script.reader import Reader as Reader
     from scorebreath.script.reader import read as read
     from scorebreath.speech.model import SpeechRequest as SpeechRequest
@@ -69,6 +73,7 @@ _HOMES = {
     "loads": "score.codec",
     "load": "score.files",
     "save": "score.files",
+    "read_take": "score.take",
     "Reader": "script.reader",
     "read": "script.reader",
     "open_planner": "planning.planners",
@@ -80,6 +85,9 @@ _HOMES = {
     "compile_text": "pipeline",
     "CurveSet": "curves.curve_set",
     "render": "engine.offline",
+    "sounder_named": "engine.live.making",
+    "Setting": "live.show",
+    "Show": "live.show",
 }
 """Public name: the module it lives in, in the order in which they depend on each other."""
 

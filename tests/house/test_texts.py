@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-BINARY = {".wav", ".png", ".scsyndef"}
+BINARY = {".wav", ".png", ".scsyndef", ".bin"}
 LONGEST = {"tests": 500, "": 350}
 """Lines of a Python file, in tests and elsewhere."""
 

@@ -42,7 +42,7 @@ def test_hosts_and_ports_are_read(name: str, host: str) -> None:
     ("text", "path", "rig"),
     [
         ("-", "-", ""), ("jsonl:-", "-", ""), ("-?rig=arkit", "-", "arkit"),
-        ("jsonl:a b/c#1.jsonl", "a b/c#1.jsonl", ""), ("jsonl:/tmp/x.jsonl?rig=fap", "/tmp/x.jsonl", "fap"),
+        ("jsonl:a b/c#1.jsonl", "a b/c#1.jsonl", ""), ("jsonl:/srv/x.jsonl?rig=fap", "/srv/x.jsonl", "fap"),
         ("jsonl:C:\\x.jsonl", "C:\\x.jsonl", ""),
     ],
 )  # fmt: skip

@@ -109,7 +109,7 @@ class MidiServer:
         else:
             try:
                 self._own = driver.open_virtual()
-            except (OSError, NotImplementedError) as error:
+            except (OSError, RuntimeError) as error:  # there are none on Windows
                 raise EnvironmentFailure(f"MIDI: no port of our own can be opened: {error}") from None
         if self._output_wanted:
             self._kept.append(KeptPort(driver, "output", self._output_wanted, self._said))
