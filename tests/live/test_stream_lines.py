@@ -124,11 +124,11 @@ def test_stdout_is_read_to_the_end_or_closed_early(root: Path, count: int, read:
     assert failed == 0 if read == count else failed > 0
 
 
-@pytest.mark.parametrize("address", ["-?rig=arkid", "jsonl:/tmp/never.jsonl?rig=arkid", "ws://127.0.0.1:0?rig=x"])
-def test_a_rig_that_is_none_is_refused(address: str) -> None:
+@pytest.mark.parametrize("address", ["-?rig=arkid", "jsonl:{folder}/never.jsonl?rig=arkid", "ws://127.0.0.1:0?rig=x"])
+def test_a_rig_that_is_none_is_refused(address: str, tmp_path: Path) -> None:
     with pytest.raises(InputError):
-        open_stream(address)
-    assert not Path("/tmp/never.jsonl").exists()
+        open_stream(address.format(folder=tmp_path))
+    assert not (tmp_path / "never.jsonl").exists()
 
 
 def test_bytes_stay(golden: Callable[[str, bytes], None]) -> None:
