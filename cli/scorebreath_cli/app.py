@@ -17,6 +17,7 @@ from scorebreath_cli.commands.doctor import doctor
 from scorebreath_cli.commands.explain import explain
 from scorebreath_cli.commands.export import export
 from scorebreath_cli.commands.formats import formats
+from scorebreath_cli.commands.live import live
 from scorebreath_cli.commands.norms import norms
 from scorebreath_cli.commands.params import params
 from scorebreath_cli.commands.presets import presets
@@ -27,7 +28,7 @@ from scorebreath_cli.commands.voices import voices
 from scorebreath_cli.failures import Failure, Status, failure_of, tell
 from scorebreath_cli.streams import silence
 
-MAKE, LOOK = "Make", "Look"
+MAKE, PERFORM, LOOK = "Make", "Perform", "Look"
 Examples = tuple[str, ...]
 COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
     ("render", render, MAKE, (
@@ -54,6 +55,14 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
     ("export", export, MAKE, (
         "scorebreath export score.json --to maryxml -o score.xml",
         "scorebreath export score.json --to curves.csv --fps 30 -o curves.csv",
+    )),
+    ("live", live, PERFORM, (
+        "scorebreath live",
+        "scorebreath live greeting.txt --take tonight --to vmc://192.168.1.7:39539",
+        "llm 'Tell me about the sea' | scorebreath live - --to osc --to ws://127.0.0.1:8765",
+        "scorebreath live --engine scsynth@127.0.0.1:57110 --midi nanoKONTROL --midi-map knobs.toml",
+        "scorebreath live --devices",
+        "scorebreath render tonight -o again",
     )),
     ("explain", explain, LOOK, (
         "scorebreath explain speech.txt",

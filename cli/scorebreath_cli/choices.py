@@ -67,6 +67,20 @@ def engines() -> list[str]:
     return list(ENGINES)
 
 
+def live_engines() -> list[str]:
+    """Engines that play as things happen, up to where a file or an address begins."""
+    from scorebreath.engine.live.making import NAMES
+
+    return [name.removesuffix("FILE").removesuffix("HOST:PORT") for name in NAMES]
+
+
+def targets() -> list[str]:
+    """Where curves can go, up to where the address begins."""
+    from scorebreath.live.streams.addresses import SCHEMES, STDOUT
+
+    return [*(f"{row.name}://" if row.host else f"{row.name}:" for row in SCHEMES.values()), STDOUT]
+
+
 def assignments() -> list[str]:
     """Parameters, up to where the value begins."""
     return [f"{name}=" for name in parameters()]
@@ -100,6 +114,8 @@ CHOICES: Mapping[str, Callable[[], list[str]]] = MappingProxyType(
             parts,
             rigs,
             engines,
+            live_engines,
+            targets,
             assignments,
             parameters,
         )

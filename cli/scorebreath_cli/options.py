@@ -75,6 +75,16 @@ def complete_engines(incomplete: str) -> list[str]:
     return _names("engines", incomplete)
 
 
+def complete_live_engines(incomplete: str) -> list[str]:
+    """Engines that play as things happen."""
+    return _names("live_engines", incomplete)
+
+
+def complete_targets(incomplete: str) -> list[str]:
+    """Where curves can go."""
+    return _names("targets", incomplete)
+
+
 def complete_parameters(incomplete: str) -> list[str]:
     """Parameters."""
     return _names("parameters", incomplete)

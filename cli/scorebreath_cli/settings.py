@@ -177,24 +177,39 @@ def frame_rate(text: str) -> Fraction:
     """Frames per second, exactly.
 
     Args:
-        text: A whole number, a decimal, or a ratio; no exponent, as `1e999999999` would take all memory there is.
+        text: As for `rate_of`.
 
     Raises:
-        InputError: It is none of these, or out of range.
+        InputError: It is no rate, or out of range.
 
     >>> frame_rate("60"), frame_rate("29.97"), frame_rate("30000/1001")
     (Fraction(60, 1), Fraction(2997, 100), Fraction(30000, 1001))
     """
+    from scorebreath.formats.frames import HIGHEST
+
+    return rate_of("--fps", text, HIGHEST)
+
+
+def rate_of(flag: str, text: str, highest: float) -> Fraction:
+    """A number of frames a second, exactly.
+
+    Args:
+        flag: The option, for messages.
+        text: A whole number, a decimal, or a ratio; no exponent, as `1e999999999` would take all memory there is.
+        highest: The most.
+
+    Raises:
+        InputError: It is none of these, or out of range.
+    """
     from fractions import Fraction
 
-    from scorebreath.formats.frames import HIGHEST, check_rate
-
-    if not _RATE.fullmatch(text):
+    rate = Fraction(text) if _RATE.fullmatch(text) else Fraction(0)
+    if not 0 < rate <= highest:
         raise InputError(
-            f"--fps {shortened(text, 40)!r}: expected frames per second above 0 and at most {HIGHEST}, "
+            f"{flag} {shortened(text, 40)!r}: expected frames per second above 0 and at most {highest}, "
             "such as 60, 29.97 or 30000/1001"
         )
-    return check_rate(Fraction(text))
+    return rate
 
 
 def check_engine(name: str) -> None:
