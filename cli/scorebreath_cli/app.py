@@ -20,6 +20,7 @@ from scorebreath_cli.commands.formats import formats
 from scorebreath_cli.commands.live import live
 from scorebreath_cli.commands.norms import norms
 from scorebreath_cli.commands.params import params
+from scorebreath_cli.commands.play import play
 from scorebreath_cli.commands.presets import presets
 from scorebreath_cli.commands.render import render
 from scorebreath_cli.commands.rigs import rigs
@@ -63,6 +64,12 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
         "scorebreath live --engine scsynth@127.0.0.1:57110 --midi nanoKONTROL --midi-map knobs.toml",
         "scorebreath live --devices",
         "scorebreath render tonight -o again",
+    )),
+    ("play", play, PERFORM, (
+        "scorebreath play score.json",
+        "scorebreath play tonight --start 30 --loop",
+        "scorebreath play out --to livelink://192.168.1.7:11111 --preview",
+        "scorebreath compile speech.txt -o score.json && scorebreath play score.json --engine scsynth",
     )),
     ("explain", explain, LOOK, (
         "scorebreath explain speech.txt",

@@ -34,14 +34,8 @@ def live(
     to: p.To = None,
     curve_rate: p.CurveRate = "60",
     curve_lead: p.CurveLead = 0.0,
-    preview: Annotated[
-        bool, typer.Option("--preview", help="Serve the moving figure to browsers here.", rich_help_panel=p.CURVES)
-    ] = False,
-    preview_port: Annotated[
-        int | None,
-        typer.Option("--preview-port", metavar="PORT", min=0, max=65535, show_default="any that is free",
-                     help="Where; --preview is meant with it.", rich_help_panel=p.CURVES),
-    ] = None,
+    preview: p.Preview = False,
+    preview_port: p.PreviewPort = None,
     osc: p.Osc = None,
     no_osc: p.NoOsc = False,
     midi: p.Midi = None,

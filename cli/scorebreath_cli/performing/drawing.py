@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rich.console import Console
@@ -35,7 +35,8 @@ class Shown:
     """Everything that is to be seen."""
 
     view: View
-    counts: Counts
+    counts: Counts | None
+    """None: of what is played, nothing is counted"""
     engine: Status
     latency: float
     """s from a sound's time to the ear"""
@@ -59,7 +60,8 @@ class Shown:
     unicode: bool = True
     head: str = "scorebreath live"
     keys: str = KEYS
-    extra: Sequence[Text] = field(default=())
+    extra: Sequence[Text] = ()
+    """rows below the first"""
 
 
 def draw(shown: Shown, width: int, height: int) -> list[Text]:
@@ -83,7 +85,7 @@ def _body(shown: Shown, width: int, room: int) -> list[Text]:
     if not view.coming:
         rows.append(_row("next", "", width))
     rows += [_lungs(body, shown) for body in view.bodies]
-    rows += [_groups(shown), _engine(shown)]
+    rows += [*([_groups(shown.counts)] if shown.counts else []), _engine(shown)]
     if shown.moved:
         said = "   ".join(f"{name} {value}" for _, name, value in shown.moved)
         rows.append(_row("moved", said, width))
@@ -139,8 +141,7 @@ def _lungs(body: BodyView, shown: Shown) -> Text:
     return Text.assemble((f" {label:<7} ", "dim"), (line, "cyan"), f" {level:4.2f}  {body.doing}")
 
 
-def _groups(shown: Shown) -> Text:
-    counts = shown.counts
+def _groups(counts: Counts) -> Text:
     said = f"{counts.groups} said"
     late = f"{counts.late} late" + (f" (by up to {counts.latest:.3f} s)" if counts.late else "")
     bad = [f"{counts.unspoken} not spoken"] * bool(counts.unspoken) + [f"{counts.stalls} stalls"] * bool(counts.stalls)
@@ -189,6 +190,15 @@ def _row(label: str, text: str, width: int, *, style: str = "") -> Text:
     row = Text.assemble((f" {label:<7} ", "dim"), (" ".join(_flat(text).split()), style))
     row.truncate(width, overflow="ellipsis")
     return row
+
+
+def progress(fraction: float, duration: float, width: int, *, unicode: bool) -> Text:
+    """How much of a whole has passed; `duration`: of the whole, s."""
+    end = f" {clock(duration)}"
+    room = max(1, width - 10 - len(end))
+    done = min(room, max(0, round(fraction * room)))
+    full, empty = ("\N{BOX DRAWINGS HEAVY HORIZONTAL}", "\N{BOX DRAWINGS LIGHT HORIZONTAL}") if unicode else ("#", "-")
+    return Text.assemble(" " * 9, (full * done, "cyan"), (empty * (room - done), "dim"), end)
 
 
 def clock(seconds: float) -> str:

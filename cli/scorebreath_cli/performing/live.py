@@ -208,7 +208,8 @@ def _last_words(stage: Stage, wishes: Wishes, teller: Teller, printer: Printer) 
 
 def _summary(ended: Mapping[str, Any], plan: Plan) -> str:
     """What was counted, for people."""
-    said = f"{ended['groups']} groups said, {ended['late']} late"
+    groups = ended["groups"]
+    said = f"{groups} group{'s' * (groups != 1)} said, {ended['late']} late"
     if ended["late"]:
         said += f" (by up to {ended['latest']:.3f} s)"
     counts = ((ended["unspoken"], "not spoken"), (ended["stalls"], "stalls"), (ended["engine"]["lost"], "sounds lost"))

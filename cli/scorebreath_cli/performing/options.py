@@ -67,6 +67,16 @@ CurveLead = Annotated[
         rich_help_panel=CURVES,
     ),
 ]  # fmt: skip
+Preview = Annotated[
+    bool, typer.Option("--preview", help="Serve the moving figure to browsers here.", rich_help_panel=CURVES)
+]
+PreviewPort = Annotated[
+    int | None,
+    typer.Option(
+        "--preview-port", metavar="PORT", min=0, max=65535, show_default="any that is free",
+        help="Where it is served; means --preview.", rich_help_panel=CURVES,
+    ),
+]  # fmt: skip
 Osc = Annotated[
     str | None,
     typer.Option(

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Self
 
-from scorebreath.errors import EnvironmentFailure, InputError
+from scorebreath.errors import EnvironmentFailure
 from scorebreath_cli.performing.opening import figures, open_sender, open_streams
 from scorebreath_cli.performing.settings import OWN_PORT, ControlOptions, EngineOptions, StreamOptions
 from scorebreath_cli.performing.telling import Teller
@@ -26,9 +26,11 @@ if TYPE_CHECKING:
     from scorebreath.live.controls.osc_server import OscServer
     from scorebreath.live.desk import Setting
     from scorebreath.live.picture import Stream
+    from scorebreath.live.preview import Saying
     from scorebreath.live.show import Setting as ShowSetting
     from scorebreath.live.show import Show
     from scorebreath.live.streams.sender import Sender
+    from scorebreath.live.viewing import Said
     from scorebreath.speech.model import Voice
 
 JOURNAL = "journal.jsonl"
@@ -155,7 +157,18 @@ class Stage:
         return self.show.curves()
 
     def _open_preview(self, port: int) -> None:
-        raise InputError(f"--preview {port}: is not there yet")
+        from scorebreath.live.preview import open_preview, said_by
+
+        made: list[Saying] = []
+
+        def said(body: str, time: float) -> Said | None:
+            if not made:  # pictures are asked for only when the show has begun
+                made.append(said_by(self.show.ledger))
+            return made[0](body, time)
+
+        _, stream = open_preview(port, said=said)
+        self.streams.append(stream)
+        self.page = stream.target.name
 
     def _open_osc(self) -> OscServer | None:
         wanted = self._plan.controls.osc_endpoint()
@@ -198,19 +211,20 @@ class Stage:
     def _begun(self, osc: OscServer | None) -> None:
         plan, status = self._plan, self.sounder.status()
         where = f"{plan.controls.osc_endpoint()[0]}:{osc.port}" if osc is not None else ""  # type: ignore[index]
+        names = [stream.target.name for stream in self.streams if stream.target.name != self.page]
         take = str(plan.setting.take) if plan.setting.take else ""
         parts = [
             f"{status.engine} at {status.sample_rate} Hz",
             f"OSC at {where}" if where else "",
             f"MIDI: {', '.join(self._midi.ports)}" if self._midi else "",
-            *(f"curves to {stream.target.name}" for stream in self.streams),
+            *(f"curves to {name}" for name in names),
             f"take: {take}" if take else "",
         ]
         self._teller.tell(
             "started", "; ".join(filter(None, parts)), engine=status.engine, sample_rate=status.sample_rate,
             voice=plan.setting.voice, start_unix=self.show.start_unix, latency=self.latency, osc=where,
             midi=list(self._midi.ports) if self._midi else [], take=take, preview=self.page,
-            curves=[stream.target.name for stream in self.streams],
+            curves=names,
         )  # fmt: skip
         if self.page:
             self._teller.note(f"preview: {self.page}")
