@@ -24,8 +24,8 @@ class Backstage(Protocol):
         """What has become ready, in order."""
 
     @property
-    def starved(self) -> bool:
-        """Whether it waits for more text."""
+    def speaking(self) -> bool:
+        """Whether a voice is at work."""
 
     @property
     def idle(self) -> bool:
@@ -79,10 +79,9 @@ class Thread:
             return found
 
     @property
-    def starved(self) -> bool:
-        """Whether it waits for more text."""
-        with self._condition:
-            return self._starved and not self._messages
+    def speaking(self) -> bool:
+        """Whether a voice is at work."""
+        return self._preparer.speaking
 
     @property
     def idle(self) -> bool:

@@ -6,7 +6,6 @@ changes their mind before it is its turn takes it back, and it is placed again.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from scorebreath.compose.state import BodyState, Places, Spoken
@@ -15,12 +14,12 @@ from scorebreath.expression.interrupted import FACE, taken_back
 from scorebreath.expression.scene import last_sound
 from scorebreath.expression.state import FaceState, Placed
 from scorebreath.live.preparing import Prepared
-from scorebreath.score.events import Emotion, Event, Utterance
+from scorebreath.score.events import Event, Utterance
 from scorebreath.script import emoticons
-from scorebreath.script.marks import VoiceMark
 from scorebreath.units import snap
 
-Snapshot = tuple[Mapping[str, tuple[BodyState, FaceState]], float, Performer | None]
+Snapshot = tuple[BodyState, FaceState, float, Performer | None]
+"""Of who speaks next: body and face; where the line was, and who spoke last."""
 
 
 @dataclass(slots=True, kw_only=True)
@@ -31,7 +30,6 @@ class Turn:
     spoken: Spoken
     who: Performer
     before: Snapshot
-    """everybody, before it was placed"""
     events: list[Event]
     """of bodies; not yet decided"""
     shown: list[Event]
@@ -85,14 +83,15 @@ class Company:
 
     def place(self, prepared: Prepared) -> Turn:
         """Place a group behind what was placed last."""
-        before = self._snapshot()
+        group, ensemble = prepared.group, self.ensemble
+        one = ensemble.performer(group.voice)
+        before = one.state, one.face, ensemble.clock, ensemble.speaker
         self._number += 1
-        group = prepared.group
         spoken = Spoken(
             group=group, id=f"{BODY}.g{self._number}", place=self._places.key(emoticons.without(group.text)),
             parts=prepared.parts,
         )  # fmt: skip
-        who = self.ensemble.step(spoken)
+        who = ensemble.step(spoken)
         made = self.drain()
         return Turn(
             prepared=prepared,
@@ -111,29 +110,10 @@ class Company:
         return made
 
     def take_back(self, turn: Turn) -> None:
-        """A group was not placed after all; what faces have decided until then stands."""
-        states, clock, speaker = turn.before
-        for name, who in self.ensemble.performers.items():
-            if name in states:
-                state, face = states[name]
-                if who is turn.who:
-                    face = taken_back(who.face, face.memory.horizon)
-                who.state, who.face = state, face
+        """A group of whoever spoke last was not placed after all; what the face has decided until then stands."""
+        before, face, clock, speaker = turn.before
+        turn.who.face = taken_back(turn.who.face, face.memory.horizon)
+        turn.who.state = before
         self.ensemble.clock, self.ensemble.speaker = clock, speaker
         self._places.take_back(emoticons.without(turn.prepared.group.text))
         self._number -= 1
-
-    def _snapshot(self) -> Snapshot:
-        states = {name: (who.state, who.face) for name, who in self.ensemble.performers.items()}
-        ensemble = self.ensemble
-        return states, ensemble.clock, ensemble.speaker
-
-
-def felt(turn: Turn) -> list[str]:
-    """Ids of the emotions that a face has decided for a group that is taken back."""
-    return [event.id for event in turn.shown if isinstance(event, Emotion) and event.onset >= turn.onset]
-
-
-def changes_voice(prepared: Prepared) -> bool:
-    """Whether the markup names another voice before a group."""
-    return any(isinstance(mark, VoiceMark) for mark in prepared.group.before)

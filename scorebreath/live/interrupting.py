@@ -42,6 +42,10 @@ def interrupt(performance: Performance, who: Performer, at: float, *, fade: floa
         fade: s in which sounds fade.
     """
     body = who.state.body
+    if who.state.time < at:  # the performer was held up for so long that nobody knows what the body did
+        performance.decisions.counts.stalls += 1
+        who.go_on(performance.company.ensemble.breathing.rest(who.state, at, "held_up"))
+        performance.decisions.decide(performance.company.drain())
     near = performance.ledger.near(body)
     ends = endings(near)
     alive = [event for event in near if not isinstance(event, Cut)]

@@ -14,11 +14,13 @@ from scorebreath.curves.curve_set import CurveSet, curves
 from scorebreath.score.cutting import endings
 from scorebreath.score.document import Body, Group, MediaInfo, Score
 from scorebreath.score.events import EVENTS, Cut, Event, Expiration, Hold, Inspiration, Parameter
-from scorebreath.score.take import TakeWriter, lasting
+from scorebreath.score.take import TakeWriter, lasting, read_take
 from scorebreath.score.values import LARGEST
 
 KEPT = 4.0
 """s behind now for which curves can still be asked."""
+MOST = 20_000
+"""Events that are in memory where there is a take: an hour or so."""
 WIDEST = max(reach.lag for _, reach in EVENTS.values())
 """s that an event reaches behind its end, at most."""
 
@@ -40,9 +42,12 @@ class Ledger:
         self._bodies = {body.id: body for body in score.bodies}
         self._media: dict[str, MediaInfo] = dict(score.media)
         self._groups: dict[str, Group] = {}
-        self._events: dict[str, Event] = {}
+        self._events: list[Event] = []
+        self._names: set[str] = set()
+        self._let_go = False
         self._near: dict[str, list[Event]] = {body: [] for body in self._bodies}
         self._curves: dict[str, CurveSet] = {}
+        self._version = 0
         self.over: float | None = None
         """s when all is over; None: nobody knows"""
 
@@ -98,21 +103,27 @@ class Ledger:
         written = []
         with self._lock:
             for event in events:
-                named = event if event.id not in self._events else replace(event, id=self._fresh(event.id))
-                self._events[named.id] = named
+                named = event if event.id not in self._names else replace(event, id=self._fresh(event.id))
+                self._names.add(named.id)
+                self._events.append(named)
                 written.append(named)
                 self._near[named.body].append(named)
+            self._version += 1
             for body in {event.body for event in written}:
                 self._near[body] = _window(self._near[body], now - KEPT)
                 self._curves.pop(body, None)
         if self._take and written:
             self._take.events(written)
+            if len(self._events) > MOST:
+                with self._lock:
+                    self._events, self._let_go = self._events[-MOST // 2 :], True
         return written
 
     def end(self, time: float) -> None:
         """All is over then."""
         with self._lock:
             self.over = time
+            self._version += 1
             self._curves.clear()
         if self._take:
             self._take.over(time)
@@ -124,9 +135,14 @@ class Ledger:
     def curves(self, body: str) -> CurveSet:
         """The curves of a body around now: from `KEPT` seconds ago up to where everything is decided."""
         with self._lock:
-            if body not in self._curves:
-                self._curves[body] = curves(self._part(body, self._near[body]), body)
-            return self._curves[body]
+            if body in self._curves:
+                return self._curves[body]
+            part, version = self._part(body, self._near[body]), self._version
+        made = curves(part, body)  # takes some milliseconds in which events may come
+        with self._lock:
+            if version == self._version:
+                self._curves[body] = made
+        return made
 
     def all_curves(self) -> dict[str, CurveSet]:
         """Those of everybody."""
@@ -138,12 +154,14 @@ class Ledger:
             return self._part(body, events)
 
     def score(self) -> Score:
-        """The whole performance so far."""
+        """The whole performance so far; of a long one, as its take has it."""
         with self._lock:
+            if self._take is not None and self._let_go:
+                return read_take(self._take.media.folder)
             return replace(
                 self._score, text=self._text, bodies=tuple(self._bodies.values()), media=dict(self._media),
-                groups=tuple(self._groups.values()), events=tuple(self._events.values()),
-                duration=lasting(self._events.values()) if self.over is None else self.over,
+                groups=tuple(self._groups.values()), events=tuple(self._events),
+                duration=lasting(self._events) if self.over is None else self.over,
             )  # fmt: skip
 
     def _part(self, body: str, events: Iterable[Event]) -> Score:
@@ -160,7 +178,7 @@ class Ledger:
 
     def _fresh(self, name: str) -> str:
         number = 2
-        while f"{name}~{number}" in self._events:
+        while f"{name}~{number}" in self._names:
             number += 1
         return f"{name}~{number}"
 

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 
 GLIDE = 0.05
 """s in which the sound follows a move."""
-SOON = 1.0
-"""s before it is due within which a group that is ready stays as it was planned."""
 NOT_PLANNED = frozenset(
     {
         "nose_share", "abdomen_share", "amplitude_breathing_sound", "opening_inspiration_channels",
@@ -47,8 +45,7 @@ def move(performance: Performance, who: Performer, changes: Mapping[str, Setting
     _keep(performance, who, after)
     _write(performance, who, changes, GLIDE if glide is None else glide)
     if any(planned(name) for name in changes):
-        ready = performance.supply.ready and performance.due - performance.now < SOON
-        performance.plan_again(keep=1 if ready else 0)
+        performance.plan_soon()
 
 
 def planned(name: str) -> bool:

@@ -38,6 +38,10 @@ GLANCE = 0.25
 """s after which it looks again, whatever happens."""
 FADE = 0.1
 """s in which a breath at rest gives way."""
+SETTLED, REST = 0.1, 0.6
+"""s after a move, and after the last time, before plans are made anew."""
+NEAR = 1.0
+"""s before it is due within which a group that is ready stays as it was planned."""
 LATE = 0.001
 """s from which on a group is late."""
 
@@ -98,6 +102,8 @@ class Performance:
         self._tail = tail
         self._next: Turn | None = None
         self._late: float | None = None
+        self._planning: float | None = None
+        self._planned = self.now
         company.ensemble.begin(lead, begun)
         self.decisions.decide(company.drain())
 
@@ -115,6 +121,8 @@ class Performance:
         self.now = now
         while self.inbox:
             self.inbox.popleft()(self)
+        if self._planning is not None and now >= self._planning:
+            self.plan_again(keep=1 if self.supply.ready and self.due - now < NEAR else 0)
         self.supply.want(self._flush())
         for failed in self.supply.collect():
             self.decisions.counts.unspoken += 1
@@ -148,7 +156,7 @@ class Performance:
         resting = self.speaker.state.body in self.resting
         if resting or self.last is None:
             return self.line - self.timing.ahead if resting else float("-inf")
-        line = self._next.before[1] if self._next else self.line
+        line = self._next.before[2] if self._next else self.line
         return min(self.silent - self.timing.reaction - self.timing.margin, line - self.timing.ahead)
 
     @property
@@ -221,7 +229,8 @@ class Performance:
             self.begun_with[body] = who.state.parameters.set_by_hand()
         begin = snap(max(self.line, reaction))
         if body in self.resting or who.state.time < self.now + self.timing.ahead - self.timing.margin:
-            self._border(who, begin)
+            interrupt(self, who, begin, fade=FADE)
+            self.company.ensemble.clock = max(self.line, begin)
         if self._late is not None and begin - self._late >= LATE:
             late = begin - self._late
             self.decisions.counts.late += 1
@@ -230,15 +239,6 @@ class Performance:
                 "late", f"{late:.3f} s late: the voice was not ready: {_shown(prepared.group.text)}", at=begin
             )
         self._late = None
-
-    def _border(self, who: Performer, at: float) -> None:
-        """Whatever a body does is cut there, and it goes on with something else."""
-        if who.state.time < at:  # held up for so long that nobody knows what it did
-            self.decisions.counts.stalls += 1
-            who.go_on(self.company.ensemble.breathing.rest(who.state, at, "held_up"))
-            self.decisions.decide(self.company.drain())
-        interrupt(self, who, at, fade=FADE)
-        self.company.ensemble.clock = max(self.line, at)
 
     def _decide_turn(self, turn: Turn, following: Turn | None = None) -> None:
         """What was placed happens."""
@@ -271,8 +271,15 @@ class Performance:
             self.company.ensemble.clock = max(self.line, who.state.time)
         self.resting.add(who.state.body)
 
+    def plan_soon(self) -> None:
+        """What has not been decided is planned anew, but not for each of many moves: voices need their time."""
+        if self._planning is None:
+            self._planning = max(self.now + SETTLED, self._planned + REST)
+
     def plan_again(self, place: int | None = None, *, keep: int = 0, prefer: str | None = None) -> None:
         """What has not been decided is planned anew, see `Supply.plan_again`."""
+        self._planning, self._planned = None, self.now
+        self.take_back()
         ensemble = self.company.ensemble
         self.supply.plan_again(
             place, self.last.prepared.group if self.last else None, keep=keep, prefer=prefer,

@@ -51,6 +51,8 @@ class Preparer:
         """Nothing is prepared yet."""
         self.prompter = prompter
         self.generation = 0
+        self.speaking = False
+        """whether a voice is at work"""
         self._voices, self._parameters, self._media = voices, parameters, media
         self._before = ""
 
@@ -60,11 +62,14 @@ class Preparer:
         group = self.prompter.next(flush)
         if group is None:
             return None
+        self.speaking = True
         try:
             parts = self._speak(group, self._voices(group.voice), self._parameters(group.voice))
         except ScorebreathError as error:
             said = str(error).splitlines()[0]
             return Prepared(group=group, parts=(), media={}, generation=generation, problem=said)
+        finally:
+            self.speaking = False
         return Prepared(group=group, parts=parts, media=_media(parts), generation=generation)
 
     def _speak(self, group: BreathGroup, voice: Voice, parameters: Parameters) -> tuple[SpokenPart, ...]:

@@ -40,8 +40,8 @@ class Supply:
 
     @property
     def late(self) -> bool:
-        """Whether there is text, but nothing of it is ready."""
-        return not self.ready and not self._backstage.starved and not self._backstage.idle
+        """Whether there is something to say, but the voice is not ready with it."""
+        return not self.ready and self._backstage.speaking
 
     def want(self, flush: int) -> None:
         """Have as many ready as are needed; how much of an unfinished text to take for them."""

@@ -110,6 +110,10 @@ class Simulated:
         return found
 
     @property
+    def speaking(self) -> bool:
+        return bool(self.making)
+
+    @property
     def idle(self) -> bool:
         return not self.making and self.preparer.prompter.idle
 

@@ -15,6 +15,7 @@ import time
 from collections import deque
 from collections.abc import Mapping
 from contextlib import suppress
+from types import MappingProxyType
 from typing import BinaryIO
 
 from scorebreath.curves.rigs.table import rig_named
@@ -29,8 +30,13 @@ BREAK = 0.005
 """s before a stream that takes nothing is asked again"""
 
 
-def line(picture: Picture, rig: str = "") -> bytes:
-    """A picture as one line, with its end; `rig`: whose columns are added, empty for none.
+def line(picture: Picture, rig: str = "", more: Mapping[str, object] = MappingProxyType({})) -> bytes:
+    """A picture as one line, with its end.
+
+    Args:
+        picture: What is shown.
+        rig: Whose columns are added; empty for none.
+        more: Further keys, with values that JSON has.
 
     Raises:
         InputError: There is no such rig.
@@ -41,6 +47,7 @@ def line(picture: Picture, rig: str = "") -> bytes:
     }  # fmt: skip
     if rig:
         told["rig"] = _rounded(picture.rig(rig))
+    told |= more
     return json.dumps(told, separators=(",", ":"), allow_nan=False).encode("ascii") + b"\n"
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import socket
 import threading
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from importlib.util import find_spec
 from types import MappingProxyType
 from typing import TYPE_CHECKING
@@ -200,16 +200,20 @@ class WebSocketTarget:
         name: What it is, for people.
         server: Whose clients; it is closed with the target.
         rig: Whose columns are added; empty for none.
+        more: Further keys of a picture, with values that JSON has.
 
     Raises:
         InputError: There is no such rig.
     """
 
-    def __init__(self, name: str, server: PictureServer, *, rig: str = "") -> None:
+    def __init__(
+        self, name: str, server: PictureServer, *, rig: str = "",
+        more: Callable[[Picture], Mapping[str, object]] = lambda _: {},
+    ) -> None:  # fmt: skip
         """Look at the options."""
         if rig:
             rig_named(rig)
-        self._name, self._server, self._rig = name, server, rig
+        self._name, self._server, self._rig, self._more = name, server, rig, more
 
     @property
     def name(self) -> str:
@@ -223,7 +227,8 @@ class WebSocketTarget:
             OSError: The server has ended.
         """
         if self._server.clients:
-            self._server.publish(picture.body, line(picture, self._rig).decode("ascii").rstrip("\n"))
+            text = line(picture, self._rig, self._more(picture)).decode("ascii").rstrip("\n")
+            self._server.publish(picture.body, text)
 
     def close(self) -> None:
         """End the server."""
