@@ -98,7 +98,7 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
     ("rigs", rigs, LOOK, ("scorebreath rigs", "scorebreath curves --describe --rig arkit")),
     ("formats", formats, LOOK, ("scorebreath formats", "scorebreath formats --json")),
     ("schema", schema, LOOK, ("scorebreath schema > score.schema.json",)),
-    ("doctor", doctor, LOOK, ("scorebreath doctor", "scorebreath doctor --json")),
+    ("doctor", doctor, LOOK, ("scorebreath doctor", "scorebreath doctor --sound --device hw:1")),
 )  # fmt: skip
 """Name, function, panel of `--help`, examples."""
 

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from scorebreath.media.store import MediaStore
     from scorebreath.score.document import Score
 
+TORN = "torn-take"
+"""Code of the warning that the last line of a take is dropped."""
 _JSON = re.compile(rb"(?:\xef\xbb\xbf)?\s*\{\s*[\"}]")
 
 
@@ -73,7 +75,7 @@ def read_source(given: str) -> Source:
 def load_score(source: Source) -> tuple[Score, MediaStore]:
     """The Score an input is, and where its media lie (for stdin, beside the working directory).
 
-    A Score that ends before its last event does is told to be cut.
+    A Score that ends before its last event does is told to be cut, and a take whose last line is torn, that it is.
 
     Raises:
         InputError: It is a script.
@@ -82,6 +84,7 @@ def load_score(source: Source) -> tuple[Score, MediaStore]:
     from scorebreath.media.store import FolderStore
     from scorebreath.score import codec, files
     from scorebreath.score.document import overrun
+    from scorebreath.score.events import WarningEvent
     from scorebreath.units import plain
     from scorebreath_cli import printers
 
@@ -90,7 +93,10 @@ def load_score(source: Source) -> tuple[Score, MediaStore]:
             f"{source.name}: is not a score (no JSON object with a schema key); `scorebreath compile` makes one"
         )
     if source.kind == "take" and source.path is not None:
-        return files.load(source.path)  # as long as its last event
+        taken, media = files.load(source.path)  # as long as its last event
+        for said in (event.text for event in taken.events if isinstance(event, WarningEvent) and event.code == TORN):
+            printers.current().note(f"{source.name}: {said}")
+        return taken, media
     score = codec.loads(source.data, source.name)
     if (beyond := overrun(score)) > 0:
         said = f"events go on for {plain(beyond)} s after its duration of {plain(score.duration)} s; they are cut"

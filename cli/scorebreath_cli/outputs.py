@@ -211,8 +211,8 @@ class staged_file(_Staging):  # noqa: N801
 
 
 def old_media(folder: Path) -> set[str]:
-    """Media of the Score that an earlier run left here, unless another JSON file beside it may name them too."""
-    if {path.name for path in folder.glob("*.json")} - set(SET_FILES):
+    """Media of the Score that an earlier run left here, unless a take or another JSON file may name them too."""
+    if (folder / TAKE).exists() or {path.name for path in folder.glob("*.json")} - set(SET_FILES):
         return set()
     try:
         named = _NAMED.findall((folder / "score.json").read_bytes())

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from scorebreath.compose.state import BodyState
 from scorebreath.ensemble import Performer
 from scorebreath.expression.interrupted import ENDED, FACE, interrupted
+from scorebreath.expression.silence import LOOK_AHEAD
 from scorebreath.live.deciding import BREATHS
 from scorebreath.parameters.states import Blend
 from scorebreath.score.cutting import endings
@@ -38,14 +39,18 @@ def interrupt(performance: Performance, who: Performer, at: float, *, fade: floa
     Args:
         performance: Whose decisions these are.
         who: The body.
-        at: s; not before what is decided for good.
+        at: s; not before what is decided for good. Before the performance begins, its beginning is meant.
         fade: s in which sounds fade.
     """
-    body = who.state.body
+    body, at = who.state.body, max(0.0, at)
     if who.state.time < at:  # the performer was held up for so long that nobody knows what the body did
         performance.decisions.counts.stalls += 1
         who.go_on(performance.company.ensemble.breathing.rest(who.state, at, "held_up"))
         performance.decisions.decide(performance.company.drain())
+    # the face decides up to where it is cut only if it knows what would have followed
+    while who.face.memory.eyes_until < at and who.state.time < at + LOOK_AHEAD:
+        who.go_on(performance.company.ensemble.breathing.idle(who.state))
+    performance.decisions.decide(performance.company.drain())
     near = performance.ledger.near(body)
     ends = endings(near)
     alive = [event for event in near if not isinstance(event, Cut)]

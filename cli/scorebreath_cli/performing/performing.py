@@ -81,7 +81,8 @@ class Performing:
         self._stay, self._groups = stay, groups
         self._typed = Typed(stage.show.desk, lambda: stage.midi)
         self._line = Line(self._typed.completions)
-        self._answer, self._wrong, self._helping, self._ended = "", False, False, False
+        self._answer, self._wrong, self._helping = "", False, False
+        self._ended = self._stopped = False
         self._told: dict[str, str] = {}
 
     def run(self) -> bool:
@@ -104,10 +105,11 @@ class Performing:
                 keys = self._keyboard.read(TURN) if self._keyboard else []
                 for key in keys:
                     self._press(key, interrupts)
-                if interrupts.count and not self._ended:
-                    self._end(stop=True)
+                if interrupts.count and not self._stopped:
+                    self._stop()
                 if self._feeder.done and not self._stay and not self._ended:
-                    self._end()
+                    self._ended = True
+                    desk.command("end")
                 if self._groups:
                     self._tell_groups()
                 self._teller.drain()
@@ -115,17 +117,18 @@ class Performing:
                     screen.refresh(now=bool(keys))
             return interrupts.count > 0
 
-    def _end(self, *, stop: bool = False) -> None:
-        """Say what there is, or `stop` now; then all is over."""
-        self._ended = True
+    def _stop(self) -> None:
+        """Stop as soon as that sounds natural, and end."""
+        self._stopped = True
+        self._feeder.stop()
         desk = self._stage.show.desk
-        if stop:
-            self._feeder.stop()
-            if self._stage.show.performance.over is None:
-                desk.end_stream()
-                desk.command("stop")
-                self._teller.note("stopping; Ctrl-C again ends at once")
-        desk.command("end")
+        if self._stage.show.performance.over is None:
+            desk.end_stream()
+            desk.command("stop")
+            self._teller.note("stopping; Ctrl-C again ends at once")
+        if not self._ended:
+            self._ended = True
+            desk.command("end")
 
     def _press(self, key: str, interrupts: Interrupts) -> None:
         if key == "interrupt":

@@ -57,7 +57,7 @@ class EngineOptions:
         if self.rate is not None and self.engine.startswith("scsynth@"):
             raise InputError(f"--rate {self.rate}: {self.engine} runs already, at a rate of its own")
         try:
-            backend_named(self.engine, self._device())
+            backend_named(self.engine, self.as_device())
         except InputError as error:
             known = [name for name in NAMES if name.isalpha()]
             hint = did_you_mean(self.engine.partition(":")[0], known) if "must be one of" in str(error) else ""
@@ -73,7 +73,7 @@ class EngineOptions:
         from scorebreath.engine.live.sounder import LOOKAHEAD
 
         return sounder_named(
-            self.engine, device=self._device(), lookahead=self.lookahead or LOOKAHEAD, journal=journal,
+            self.engine, device=self.as_device(), lookahead=self.lookahead or LOOKAHEAD, journal=journal,
             on_trouble=on_trouble,
         )  # fmt: skip
 
@@ -81,7 +81,8 @@ class EngineOptions:
         """Seconds from a sound's time to the ear."""
         return sounder.latency + (sounder.output_latency if self.output_latency is None else self.output_latency)
 
-    def _device(self) -> Device | None:
+    def as_device(self) -> Device | None:
+        """What an engine of ours is to play on; None: the usual one."""
         from scorebreath.engine.live.backend import Device
 
         if self.device is None and self.rate is None:
