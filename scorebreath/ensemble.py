@@ -68,7 +68,7 @@ class Performer:
         *, hurry: bool = False,
     ) -> None:  # fmt: skip
         place = spoken.place if spoken else f"rest@{self.state.waits}"
-        seen = Placed(events=tuple(placed), place=place, marks=felt)
+        seen = Placed(events=tuple(placed), place=place, marks=felt, until=self.state.time)
         self.face, shown = express(self.face, seen, over=over, hurry=hurry)
         self.events += shown
 

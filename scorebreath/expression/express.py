@@ -52,7 +52,7 @@ def express(
     """
     actor = Actor(state, over)
     felt: list[Event] = []
-    actor.note(horizon=max([actor.memory.horizon, *(event.end for event in placed.events)]))
+    actor.note(horizon=max([actor.memory.horizon, placed.until, *(event.end for event in placed.events)]))
     waiting = [*state.waiting, *([placed] if speech(placed) else [])]
     while True:
         if actor.memory.silent is not None:

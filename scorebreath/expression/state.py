@@ -21,6 +21,8 @@ class Placed:
     """key of its chance: a group's words and which occurrence of them it is"""
     marks: tuple[EmotionMark, ...] = ()
     """emotions that the text asks for before, in and behind the group"""
+    until: float = 0.0
+    """s up to which the body is placed, where that is later than its last event"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

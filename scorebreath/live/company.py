@@ -33,12 +33,22 @@ class Turn:
     events: list[Event]
     """of bodies; not yet decided"""
     shown: list[Event]
-    """of faces; decided, whatever becomes of it"""
+    """of faces; what begins before this group is decided, whatever becomes of it"""
+    announced: bool = False
+    """whether something that is decided names it already"""
 
     @property
     def onset(self) -> float:
         """When its first event begins, s."""
         return min(event.onset for event in self.events)
+
+    def seen_before(self) -> list[Event]:
+        """Take what faces have decided up to the group; emotions that only begin with it wait for it."""
+        onset = self.onset
+        early = [event for event in self.shown if event.group != self.spoken.id or event.onset < onset]
+        self.shown = [event for event in self.shown if event.group == self.spoken.id and event.onset >= onset]
+        self.announced = any(event.group == self.spoken.id for event in early)
+        return early
 
     @property
     def silent(self) -> float:
@@ -116,4 +126,5 @@ class Company:
         turn.who.state = before
         self.ensemble.clock, self.ensemble.speaker = clock, speaker
         self._places.take_back(emoticons.without(turn.prepared.group.text))
-        self._number -= 1
+        if not turn.announced:
+            self._number -= 1

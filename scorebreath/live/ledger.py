@@ -10,6 +10,7 @@ import threading
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
+from scorebreath.curves import recent
 from scorebreath.curves.curve_set import CurveSet, curves
 from scorebreath.score.cutting import endings
 from scorebreath.score.document import Body, Group, MediaInfo, Score
@@ -17,8 +18,10 @@ from scorebreath.score.events import EVENTS, Cut, Event, Expiration, Hold, Inspi
 from scorebreath.score.take import TakeWriter, lasting, read_take
 from scorebreath.score.values import LARGEST
 
-KEPT = 4.0
+ASKED = 4.0
 """s behind now for which curves can still be asked."""
+KEPT = ASKED + recent.KEPT
+"""s behind now for which events are kept: what was moved by a cut takes its time to settle."""
 MOST = 20_000
 """Events that are in memory where there is a take: an hour or so."""
 WIDEST = max(reach.lag for _, reach in EVENTS.values())
@@ -55,6 +58,11 @@ class Ledger:
     def bodies(self) -> Mapping[str, Body]:
         """Who is there."""
         return dict(self._bodies)
+
+    @property
+    def groups(self) -> Mapping[str, Group]:
+        """Those that are said."""
+        return self._groups
 
     @property
     def media(self) -> Mapping[str, MediaInfo]:
@@ -133,7 +141,7 @@ class Ledger:
         return list(self._near[body])
 
     def curves(self, body: str) -> CurveSet:
-        """The curves of a body around now: from `KEPT` seconds ago up to where everything is decided."""
+        """The curves of a body around now: from `ASKED` seconds ago up to where everything is decided."""
         with self._lock:
             if body in self._curves:
                 return self._curves[body]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from scorebreath.ensemble import Performer
 from scorebreath.live.desk import Setting
-from scorebreath.live.heard import heard
+from scorebreath.live.heard import AS_MADE, heard
 from scorebreath.parameters.derive import derive
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.events import Parameter
@@ -86,6 +86,7 @@ def _write(performance: Performance, who: Performer, changes: Mapping[str, Setti
     moved = performance.decisions.moved.get(body, 0.0)
     onset = snap(max(0.0, moved, performance.now + performance.timing.nudge))
     sounds = heard(performance.decisions.made.get(body, who.state.parameters), who.state.parameters)
+    before = performance.decisions.heard.get(body, AS_MADE)
     events = []
     for number, (name, value) in enumerate(changes.items(), 1):
         last = number == len(changes)
@@ -95,7 +96,7 @@ def _write(performance: Performance, who: Performer, changes: Mapping[str, Setti
                 id=f"{body}.{name}", body=body, onset=onset, duration=0.0, origin="performer", rule="moved", name=name,
                 value=snap(float(value)) if numeric and value is not None else None,
                 text="" if numeric or value is None else str(value).lower() if isinstance(value, bool) else str(value),
-                glide=snap(glide), heard=sounds if last and sounds != performance.decisions.heard[body] else None,
+                glide=snap(glide), heard=sounds if last and sounds != before else None,
             )
         )  # fmt: skip
     performance.decisions.decide(list(events))

@@ -28,7 +28,6 @@ from scorebreath.live.supply import Supply
 from scorebreath.media.store import MediaStore
 from scorebreath.parameters.table import Parameters
 from scorebreath.pipeline import group_of
-from scorebreath.score.events import Blink, Emotion, Event
 from scorebreath.script.marks import Mark
 from scorebreath.units import snap
 
@@ -244,13 +243,14 @@ class Performance:
         """What was placed happens."""
         if self.last is not None:
             self.supply.said(self.last.prepared.group)
-        self.ledger.group(group_of(turn.spoken, turn.who.state.body), turn.prepared.media)
+        early = following.seen_before() if following else []
+        for one in (turn, following if following and following.announced else None):
+            if one is not None and one.spoken.id not in self.ledger.groups:
+                self.ledger.group(group_of(one.spoken, one.who.state.body), one.prepared.media)
         self.silent = turn.silent
         self.last = turn
         self.decisions.counts.groups += 1
-        self.decisions.decide([*turn.events, *turn.shown, *(following.shown if following else ())])
-        if following:
-            following.shown = []
+        self.decisions.decide([*turn.events, *turn.shown, *early])
 
     def take_back(self) -> None:
         """The group that was placed on trial is not decided: it will be placed again."""
@@ -259,11 +259,6 @@ class Performance:
             return
         self.company.take_back(turn)
         self.supply.ready.appendleft(turn.prepared)
-        body = turn.who.state.body
-        lost = [event for event in self.ledger.near(body) if _emotional(event) and event.onset >= turn.onset]
-        if lost:
-            at = snap(max(self.now + self.timing.reaction, min(event.onset for event in lost)))
-            self.decisions.cut(body, at, [event.id for event in lost], FADE)
 
     def occupied(self, who: Performer) -> None:
         """Something else than a group was placed for a body: nobody speaks before it is over."""
@@ -323,10 +318,6 @@ class Performance:
                 self.resting.add(who.state.body)
                 who.go_on(self.company.ensemble.breathing.idle(who.state))
             self.decisions.decide(self.company.drain())
-
-
-def _emotional(event: Event) -> bool:
-    return isinstance(event, Emotion) or (isinstance(event, Blink) and event.left != event.right)
 
 
 def _shown(text: str) -> str:

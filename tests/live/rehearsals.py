@@ -13,12 +13,18 @@ from numpy.typing import NDArray
 from scorebreath.curves.curve_set import curves
 from scorebreath.live.console import Console
 from scorebreath.live.desk import COMMANDS, Setting
+from scorebreath.parameters.table import Parameters
 from scorebreath.score.cutting import end_of, endings
 from scorebreath.score.document import Score
 from scorebreath.score.events import Expiration, Hold, Inspiration, Utterance
-from tests.live.stages import Latency, Stage
+from tests.live.stages import Latency, QuickTone, Stage
 
 TEXT = (Path(__file__).resolve().parents[2] / "examples" / "radio_chat.txt").read_text("utf-8")
+FEELING = (
+    "Well :-) that was nice! [emotion surprised] Oh no :-( [sigh] We lost it. ;-) [pause 0.5] Really? "
+    "[state anxious 0.8] Yes, and then (she said so) it was over :-O.\n\n"
+    "[laugh] Ha! [voice two]Who are you?[/voice] Me. [voice two]I see :-).[/voice] "
+)
 MOVES: tuple[tuple[str, Setting | None], ...] = (
     ("nose_share", 0.9), ("nose_share", None), ("breath_level", -35.0), ("breath_level", -14.0), ("prosody_rate", 1.6),
     ("capacity_lung", 60.0), ("speaking_loudness", 180.0), ("breath_sound", False), ("breath_sound", True),
@@ -30,6 +36,7 @@ MOVES: tuple[tuple[str, Setting | None], ...] = (
 class Probe:
     """What the curves were, at a moment at which they should have been final."""
 
+    body: str
     times: NDArray[np.float64]
     values: NDArray[np.float64]
 
@@ -48,12 +55,27 @@ class Rehearsal:
 
     def differences(self) -> list[str]:
         """Where curves that should have been final are others in the end."""
-        final = curves(self.score, "body")
+        score = self.score
+        finals = {body.id: curves(score, body.id) for body in score.bodies}
         wrong = []
         for probe in self.probes:
+            final = finals[probe.body]
             then = final.sample(probe.times)
             for place, column in np.argwhere(then != probe.values).tolist():
-                wrong.append(f"{final.channels[column]} at {probe.times[place]:.3f} s")
+                wrong.append(f"{probe.body}: {final.channels[column]} at {probe.times[place]:.3f} s")
+        return wrong
+
+    def too_fast(self) -> list[str]:
+        """Channels that are faster than they may be."""
+        score, wrong = self.score, []
+        times = np.arange(0.0, score.duration, 1.0 / 120.0)
+        for body in score.bodies:
+            final = curves(score, body.id)
+            for channel in final.table:
+                if channel.speed is not None:
+                    moved = np.abs(np.diff(final.sample(times, [channel.name])[:, 0])) * 120.0
+                    if float(moved.max()) > channel.speed * 1.03:
+                        wrong.append(f"{body.id}: {channel.name} {moved.max():.1f} at {times[moved.argmax()]:.2f} s")
         return wrong
 
 
@@ -62,52 +84,62 @@ def moody(chance: random.Random) -> Latency:
     return lambda _: None if chance.random() < 0.03 else chance.choice([0.0, 0.0, 0.05, 0.3, 2.0, 6.0])
 
 
-def rehearse(seed: int, *, orders: int = 50, length: float = 120.0, model: str = "natural") -> Rehearsal:
-    """A performance by chance."""
+def rehearse(
+    seed: int, *, orders: int = 50, length: float = 120.0, model: str = "natural", two: bool = False
+) -> Rehearsal:
+    """A performance by chance; by two bodies, which feel something, too."""
     chance = random.Random(seed)
-    stage = Stage(latency=moody(chance), model=model, step=chance.choice([0.01, 0.05, 0.25]))
+    stage = Stage(
+        latency=moody(chance), model=model, step=chance.choice([0.01, 0.05, 0.25]), seed=seed,
+        voices=(lambda _: QuickTone()) if two else None,
+        cast={"two": Parameters(sex="female")} if seed % 2 and two else None,
+        parameters=Parameters(face=chance.choice(["restrained", "albrecht-2002"])),
+    )  # fmt: skip
     desk = Console(stage.performance)
     found = Rehearsal(stage)
     times = sorted(chance.uniform(0.0, length) for _ in range(orders))
-    desk.say(TEXT[:600])
+    desk.say(FEELING if two else TEXT[:600])
 
     def each() -> None:
         while times and stage.now >= times[0]:
             times.pop(0)
-            found.log.append((stage.now, order(desk, chance)))
+            found.log.append((stage.now, order(desk, chance, feeling=two)))
         if not times and not stage.performance.ending:
             desk.end_stream()
             desk.command("end")
         if chance.random() < 0.2:
             look = stage.now + np.array([-1.0, -0.3, 0.0])
             look = look[look >= -0.3]
-            if look.size:
-                found.probes.append(Probe(look, stage.ledger.curves("body").sample(look)))
+            for body in stage.ledger.bodies if look.size else ():
+                found.probes.append(Probe(body, look, stage.ledger.curves(body).sample(look)))
 
     stage.go(5_000.0, each)
     return found
 
 
-def order(desk: Console, chance: random.Random) -> str:
-    """Something that a performer may do."""
-    draw = chance.random()
+def order(desk: Console, chance: random.Random, *, feeling: bool) -> str:
+    """Something that a performer may do, or have somebody do."""
+    draw, body = chance.random(), chance.choice(["", "", *desk.bodies])
+    if feeling and chance.random() < 0.15:
+        desk.say(FEELING, body=body)
+        return "feel"
     if draw < 0.5:
         name = chance.choice([name for name in COMMANDS if name not in ("end", "panic")] + ["go"] * 3)
         name = "panic" if chance.random() < 0.05 else name
-        desk.command(name)
+        desk.command(name, body=body)
         return name
     if draw < 0.7:
         at, cut_in = chance.randrange(len(TEXT) - 300), chance.random() < 0.3
-        desk.say(TEXT[at : at + chance.choice([30, 200])], cut_in=cut_in)
+        desk.say(TEXT[at : at + chance.choice([30, 200])], body=body, cut_in=cut_in)
         return "cut in" if cut_in else "say"
     if draw < 0.8:
-        desk.stream(TEXT[100:150])
+        desk.stream(TEXT[100:150], body=body)
         return "stream"
     if draw < 0.83:
-        desk.end_stream()
+        desk.end_stream(body=body)
         return "end of stream"
     name, value = chance.choice(MOVES)
-    desk.set(name, value, glide=chance.choice([None, 0.0, 1.0]))
+    desk.set(name, value, body=body, glide=chance.choice([None, 0.0, 1.0]))
     return f"{name}={value}"
 
 
