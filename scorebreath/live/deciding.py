@@ -16,6 +16,7 @@ from scorebreath.media.store import MediaStore
 from scorebreath.parameters.table import Parameters
 from scorebreath.pipeline import breath_media
 from scorebreath.score.events import Cut, Event, Expiration, Hold, Inspiration, Parameter, WarningEvent
+from scorebreath.score.performing import GIVES_WAY
 from scorebreath.units import snap
 
 BREATHS = (Inspiration, Expiration, Hold)
@@ -114,13 +115,14 @@ class Decisions:
     def _parameters(self, body: str) -> Parameters:
         return next(who.state.parameters for who in self._ensemble.performers.values() if who.state.body == body)
 
-    def cut(self, body: str, at: float, targets: Sequence[str], fade: float) -> None:
-        """Events end."""
+    def cut(self, body: str, at: float, targets: Sequence[str], fade: float, rule: str) -> None:
+        """Events end; for a reason."""
         self.decide(
             [
                 Cut(
                     id=f"{body}.cut{self.counts.cuts + 1}", body=body, onset=at, duration=snap(fade),
-                    origin="performer", rule="cut", targets=tuple(targets), fade=snap(fade),
+                    origin="rule" if rule == GIVES_WAY else "performer", rule=rule, targets=tuple(targets),
+                    fade=snap(fade),
                 )
             ]
         )  # fmt: skip

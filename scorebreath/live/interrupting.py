@@ -33,7 +33,7 @@ LONGEST_WORD = 0.8
 """s that an interruption waits for a word's end, at most."""
 
 
-def interrupt(performance: Performance, who: Performer, at: float, *, fade: float) -> None:
+def interrupt(performance: Performance, who: Performer, at: float, *, fade: float, rule: str = "interrupted") -> None:
     """Cut what a body does, and take it to that moment.
 
     Args:
@@ -41,6 +41,7 @@ def interrupt(performance: Performance, who: Performer, at: float, *, fade: floa
         who: The body.
         at: s; not before what is decided for good. Before the performance begins, its beginning is meant.
         fade: s in which sounds fade.
+        rule: Why.
     """
     body, at = who.state.body, max(0.0, at)
     if who.state.time < at:  # the performer was held up for so long that nobody knows what the body did
@@ -60,7 +61,7 @@ def interrupt(performance: Performance, who: Performer, at: float, *, fade: floa
     number = performance.decisions.counts.cuts + 1
     performance.decisions.never_happens(body, at)
     if targets:
-        performance.decisions.cut(body, at, targets, fade)
+        performance.decisions.cut(body, at, targets, fade, rule)
     who.state = replace(
         who.state, time=at, volume=snap(min(1.0, max(0.0, volume))), opening=(), blend=_blend(who.state, alive, at)
     )

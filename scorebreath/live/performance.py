@@ -28,6 +28,7 @@ from scorebreath.live.supply import Supply
 from scorebreath.media.store import MediaStore
 from scorebreath.parameters.table import Parameters
 from scorebreath.pipeline import group_of
+from scorebreath.score.performing import GIVES_WAY
 from scorebreath.script.marks import Mark
 from scorebreath.units import snap
 
@@ -228,7 +229,7 @@ class Performance:
             self.begun_with[body] = who.state.parameters.set_by_hand()
         begin = snap(max(self.line, reaction))
         if body in self.resting or who.state.time < self.now + self.timing.ahead - self.timing.margin:
-            interrupt(self, who, begin, fade=FADE)
+            interrupt(self, who, begin, fade=FADE, rule=GIVES_WAY)
             self.company.ensemble.clock = max(self.line, begin)
         if self._late is not None and begin - self._late >= LATE:
             late = begin - self._late
@@ -295,7 +296,7 @@ class Performance:
         """Everybody comes to rest, and all is over."""
         for who in self.company.performers:
             if who.state.body in self.resting:
-                interrupt(self, who, snap(max(self.line, self.now + self.timing.reaction)), fade=FADE)
+                interrupt(self, who, snap(max(self.line, self.now + self.timing.reaction)), fade=FADE, rule=GIVES_WAY)
         over = self.company.ensemble.finish(self._tail)
         self.decisions.decide(self.company.drain())
         self.over = over

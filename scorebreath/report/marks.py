@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 
 from scorebreath.score.cutting import endings, never
 from scorebreath.score.document import Score
-from scorebreath.score.events import Command, Cut, Parameter, Utterance, WarningEvent
+from scorebreath.score.events import Command, Cut, Event, Parameter, Utterance, WarningEvent
+from scorebreath.score.performing import GIVES_WAY
 from scorebreath.units import plain
 
 DASH = "—"
@@ -47,9 +48,16 @@ def marks(score: Score, body: str) -> tuple[Mark, ...]:
     found = [
         Mark(event.onset, event.type, _SAID[event.type](event))
         for event in score.events
-        if event.body == body and event.type in _SAID and not never(event, ends)
+        if event.body == body and event.type in _SAID and not never(event, ends) and not _silent(event)
     ]
     return tuple(sorted(found, key=lambda mark: mark.time))
+
+
+def _silent(event: Event) -> bool:
+    """Whether it only keeps the sound as it was moved; cuts of a breath at rest are no interruptions either."""
+    if isinstance(event, Cut):
+        return event.rule == GIVES_WAY
+    return isinstance(event, Parameter) and not event.name
 
 
 def broken_off(score: Score, body: str) -> frozenset[tuple[str, float]]:

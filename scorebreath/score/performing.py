@@ -8,6 +8,8 @@ from typing import ClassVar
 from scorebreath.score.event import Event, Part
 from scorebreath.score.values import FORWARD, Limits, Number, limits
 
+GIVES_WAY = "gives way"
+"""Rule of a cut that interrupts nobody: a breath at rest ends, for there is something to say."""
 MOST_HEARD = 16.0
 """Times that a move may make what sounds louder or brighter."""
 
