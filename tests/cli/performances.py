@@ -8,7 +8,7 @@ import re
 import select
 import subprocess
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -24,10 +24,17 @@ _CODES = re.compile(r"\x1b\[[0-9;?]*[ -/]*[@-~]|\x1b[()][A-Z0-9]|\x1b[=>]")
 @contextmanager
 def performance(*arguments: object, **options: Any) -> Iterator[subprocess.Popen[bytes]]:
     """`live`, running; it ends with the test."""
+    with program("live", *QUIET, *arguments, **options) as process:
+        yield process
+
+
+@contextmanager
+def program(*arguments: object, **options: Any) -> Iterator[subprocess.Popen[bytes]]:
+    """Any command, running; it ends with the test."""
     for stream in ("stdin", "stdout", "stderr"):
         options.setdefault(stream, subprocess.PIPE)
     options.setdefault("env", ENVIRONMENT)
-    line = [*PROGRAM, "live", *QUIET, *(str(each) for each in arguments)]
+    line = [*PROGRAM, *(str(each) for each in arguments)]
     with subprocess.Popen(line, **options) as process:
         try:
             yield process
@@ -84,6 +91,19 @@ class Screen:
         until = time.monotonic() + PATIENCE
         while wanted not in self.text:
             assert time.monotonic() < until, f"{wanted!r} is not shown:\n{self.text[-3000:]}"
+            self.look(0.1)
+
+    @property
+    def frame(self) -> str:
+        """The last picture that is complete."""
+        frames = self.raw.split("\x1b[H")
+        return _CODES.sub("", frames[-2]) if len(frames) > 1 else ""
+
+    def wait_until(self, wanted: Callable[[str], bool]) -> None:
+        """Until a picture is as wanted."""
+        until = time.monotonic() + PATIENCE
+        while not wanted(self.frame):
+            assert time.monotonic() < until, self.frame
             self.look(0.1)
 
     def look(self, seconds: float) -> bool:

@@ -59,6 +59,8 @@ class Shown:
     """whether there is a line to type into"""
     unicode: bool = True
     head: str = "scorebreath live"
+    about: str = ""
+    """what else the first row says"""
     keys: str = KEYS
     extra: Sequence[Text] = ()
     """rows below the first"""
@@ -102,7 +104,7 @@ def _head(shown: Shown, width: int) -> Text:
     view = shown.view
     doing = "over" if view.over is not None and view.time > view.over else "ending" if view.ending else ""
     doing = doing or ("paused" if view.paused else "")
-    left = f" {shown.head}  {clock(view.time)}  {doing}"
+    left = "  ".join(filter(None, (f" {shown.head}", clock(view.time), doing, _flat(shown.about))))
     state = "alive" if shown.engine.alive else "AWAY"
     right = f"{shown.engine.engine}, {shown.engine.sample_rate} Hz, {state} "
     gap = max(1, width - len(left) - len(right))

@@ -8,10 +8,12 @@ from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import typer
 
+from scorebreath.errors import shortened
 from scorebreath_cli.failures import Status
 from scorebreath_cli.inputs import load_score, read_source
 from scorebreath_cli.performing.opening import figures, open_sender, open_streams
@@ -72,7 +74,8 @@ class Player:
         from scorebreath.curves.curve_set import curves
         from scorebreath.live.preview import said_in
 
-        self._name, self._score, self._transport, self._sounder = name, score, transport, sounder
+        self._name = Path(name).name or name
+        self._score, self._transport, self._sounder = score, transport, sounder
         self.latency = latency
         self.curves: Mapping[str, CurveSet] = {body.id: curves(score, body.id) for body in score.bodies}
         self.said: Saying = said_in(score)
@@ -111,7 +114,7 @@ class Player:
             Shown(
                 view=self._view(samples), counts=None, engine=self._sounder.status(), latency=self.latency,
                 targets=targets, troubles=troubles, typing=False, unicode=unicode, keys=KEYS,
-                head=f"scorebreath play {self._name}{'  loop' if transport.loop else ''}",
+                head="scorebreath play", about=f"{'loop  ' if transport.loop else ''}{shortened(self._name, 30)}",
                 extra=[progress(fraction, self._score.duration, width, unicode=unicode)],
             ),
             width, height,

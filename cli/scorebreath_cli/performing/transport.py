@@ -49,9 +49,10 @@ class Transport:
     def position(self) -> float:
         """Second of the Score that the engine is told to play now; from any thread."""
         with self._lock:
-            at = self._at + (time.time() - self._since if self._since else 0.0)
+            moves = self._since > 0.0
+            at = self._at + (time.time() - self._since if moves else 0.0)
         duration = self._score.duration
-        return at % duration if self._looping and at >= duration > 0.0 else min(at, duration)
+        return at % duration if moves and self._looping and at >= duration > 0.0 else min(at, duration)
 
     def play(self) -> None:
         """Go on from the position."""
