@@ -58,7 +58,7 @@ class Line:
 
     def _word(self) -> int:
         """Where the word before the cursor begins."""
-        return len(self.text[: self.cursor].rstrip().rpartition(" ")[0])
+        return self.text[: self.cursor].rstrip().rfind(" ") + 1
 
     def _recall(self, by: int) -> None:
         place = self._place + by
