@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import re
 import socket
 import subprocess
@@ -30,6 +31,7 @@ _OPTION = re.compile(r"^- (?P<name>\S+ : .+)$")
 _LATENCY = re.compile(r"Latency \(in/out\): [\d.]+ / (?P<out>\d+\.\d+) sec")
 _BLOCK = re.compile(r"driver's block size = (?P<block>\d+)")
 _KEPT = 40  # lines of what an engine said
+_OWN_GROUP = 0 if os.name == "posix" else None  # a terminal's Ctrl-C is for the program; it has us end in its time
 _GONE = 1.0  # s that an ended process may take to go
 
 
@@ -64,13 +66,13 @@ class StartedBackend(Linked):
             self._process = subprocess.Popen(
                 [*self.engine.command(), *self._flags(port)],
                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                encoding="utf-8", errors="replace", bufsize=1,
+                encoding="utf-8", errors="replace", bufsize=1, process_group=_OWN_GROUP,
             )  # fmt: skip
         except OSError as error:
             raise EngineError(f"the {self.engine.name} engine does not start: {error}") from None
         self._guard = subprocess.Popen(
             [sys.executable, "-I", "-S", str(Path(__file__).with_name("guard.py")), str(self._process.pid)],
-            stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, process_group=_OWN_GROUP,
         )  # fmt: skip
         self._reader = threading.Thread(target=self._read, args=(self._process,), name="engine-words", daemon=True)
         self._reader.start()
