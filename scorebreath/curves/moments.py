@@ -64,6 +64,11 @@ class Moments:
         """Fraction of VC above residual volume, (n,)."""
         return self._breathing.volume(self._at)
 
+    @property
+    def breathes(self) -> bool:
+        """Whether a breath is under way, held or not, at the first moment: else there is nothing to be shared out."""
+        return bool(self._at.active[0])
+
     @cached_property
     def above_rest(self) -> Array:
         """The driver: volume less the resting volume, (n,); the papers' LF where the resting volume is 0 (B6, B12)."""

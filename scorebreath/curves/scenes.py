@@ -6,6 +6,7 @@ from functools import partial
 
 import numpy as np
 
+from scorebreath.curves.breathing import FACTORS
 from scorebreath.curves.epochs import Epochs, Known, barriers, epochs
 from scorebreath.curves.moments import Moments
 from scorebreath.curves.settling import MOVEMENTS, Found, found, settled
@@ -119,7 +120,9 @@ class Scenes:
         for each in range(first, number + 1):
             if each not in known:
                 before, behind = self._edge(each, closure_gate=closure_gate)
-                known[each] = found(float(before.times[0]), before.movement(name), behind.movement(name))
+                new = behind.movement(name)
+                old = before.movement(name) if name not in FACTORS or before.breathes else new
+                known[each] = found(float(before.times[0]), old, new)
         return known[number]
 
     def _edge(self, number: int, *, closure_gate: bool) -> tuple[Moments, Moments]:
