@@ -146,7 +146,7 @@ def test_the_doctor_leaves_out_what_says_nothing() -> None:
 def test_the_doctor_hears_silence(monkeypatch: pytest.MonkeyPatch) -> None:
     from scorebreath.engine import onsets
 
-    monkeypatch.setattr(onsets, "_of", lambda *_: iter(()))
+    monkeypatch.setattr(onsets, "sounds_of", lambda *_: iter(()))
     state = {check["name"]: check for check in events(run("doctor", "--json").stdout) if check["event"] == "check"}
     assert state["embedded"]["state"] == "broken"
     assert "silence" in state["embedded"]["what"]

@@ -17,7 +17,7 @@ def live(
     *,
     texts: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[TEXT|-]...", help="Text files, said in order; - is what comes from stdin.",
+        typer.Argument(metavar="TEXT", help="Text files, said in order; - is what comes from stdin.",
                        show_default="the rehearsal screen; without a terminal, stdin"),
     ] = None,
     engine: p.Engine = DEFAULT_ENGINE,
@@ -65,8 +65,9 @@ def live(
 
     In a terminal there is a rehearsal screen: what is typed is said, /help lists commands, Esc is silence at once.
 
-    Text that comes through a pipe is said as it comes, cut anywhere. Ctrl-C stops at the next moment that sounds
-    natural, a second one at once.
+    Text that comes through a pipe is said as it comes, cut anywhere.
+
+    Ctrl-C stops as soon as that sounds natural, and ends; a second one ends at once.
     """
     with reporting(lambda: printers.make(json_lines, " ".join(texts or ())), debug=debug) as printer:
         from scorebreath_cli.making import Compiler
