@@ -19,7 +19,7 @@ from scorebreath.engine.onsets import onsets
 from scorebreath.score.codec import dumps, loads
 from scorebreath.score.events import Command, Cut, Utterance
 from scorebreath.score.files import load
-from tests.cli.performances import PATIENCE, QUIET, Screen, journal, performance, told
+from tests.cli.performances import PATIENCE, QUIET, Screen, journal, performance, program, told
 from tests.cli.running import ENVIRONMENT, events, run, spawn
 
 SHORT = ("--lead", 0, "--tail", 0)
@@ -421,3 +421,21 @@ def test_keys_come_from_the_terminal_while_text_comes_through_a_pipe(tmp_path: P
     os.close(ours)
     os.close(theirs)
     assert [event.name for event in load(tmp_path / "take")[0].of(Command)] == ["panic", "end"]
+
+
+def test_osc_says_moves_and_ends_what_stays_open(tmp_path: Path) -> None:
+    from pythonosc.udp_client import SimpleUDPClient
+
+    options = ("--osc", 0, "--stay", "--json", "--take", "take", *SHORT)
+    with program("live", *QUIET[:-1], *options, cwd=tmp_path, stdin=subprocess.DEVNULL) as process:
+        started = told(process, "started")[-1]
+        host, _, port = started["osc"].rpartition(":")
+        client = SimpleUDPClient(host, int(port))
+        client.send_message("/scorebreath/nose_share", 0.75)
+        client.send_message("/scorebreath/say", "Good evening.")
+        assert told(process, "group")[-1]["text"] == "Good evening."
+        client.send_message("/scorebreath/command/end", [])
+        assert told(process)[-1]["status"] == 0
+        assert process.wait(PATIENCE) == 0
+    moved = [event for event in load(tmp_path / "take")[0].events if event.type == "parameter"]
+    assert [(event.name, event.value) for event in moved] == [("nose_share", 0.75)]  # type: ignore[attr-defined]
