@@ -61,8 +61,9 @@ class Page:
             time.sleep(0.05)
 
     def go(self, address: str) -> None:
+        """To another page; not to the one that is shown."""
         self.do("Page.navigate", url=address)
-        self.until("document.readyState === 'complete' && location.href !== 'about:blank'")
+        self.until(f"document.readyState === 'complete' && location.href === {json.dumps(address)}")
 
     def picture(self, file: Path) -> None:
         """Write a PNG of it."""
