@@ -59,7 +59,7 @@ class JournalFile:
     def __init__(self, path: Path) -> None:
         """Begin the file anew."""
         try:
-            self._stream = path.open("w", encoding="utf-8")
+            self._stream = path.open("w", encoding="utf-8", buffering=1)  # a line at a time: kill -9 loses none
         except OSError as error:
             raise EnvironmentFailure(f"{path}: cannot be written: {error.strerror}") from None
 
