@@ -120,7 +120,9 @@ class Performance:
         """
         self.now = now
         while self.inbox:
-            self.inbox.popleft()(self)
+            order = self.inbox.popleft()
+            if self.over is None:  # what comes once the end is decided comes too late
+                order(self)
         if self._planning is not None and now >= self._planning:
             self.plan_again(keep=1 if self.supply.ready and self.due - now < NEAR else 0)
         self.supply.want(self._flush())

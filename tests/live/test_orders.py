@@ -366,3 +366,16 @@ def test_a_held_breath_holds_the_volume(stage: Stage) -> None:
     (held,) = [e for e in begun(stage, Hold, 5.0) if isinstance(e, Hold) and e.kind == "held"]
     volume = curves(stage.score()).sample([held.onset, held.end - 1e-3], ["lung_volume"])[:, 0]
     assert float(volume[0]) == pytest.approx(float(volume[1]), abs=1e-6) == pytest.approx(held.volume, abs=1e-6)
+
+
+def test_what_comes_once_the_end_is_decided_comes_too_late(stage: Stage, desk: Console) -> None:
+    desk.command("end")
+    while stage.performance.over is None:
+        stage.go(stage.now + 0.1)
+    before = stage.score()
+    for name in COMMANDS:
+        desk.command(name)
+    desk.say("One more thing.")
+    desk.set("nose_share", 0.3)
+    stage.go(1000.0)
+    assert stage.over and stage.score() == before
