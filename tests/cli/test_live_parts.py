@@ -212,7 +212,7 @@ def test_a_picture_has_its_size_and_nothing_that_a_terminal_obeys(what: Shown, w
     assert len(rows) == height
     for row in rows:
         assert row.cell_len <= width
-        assert all(character.isprintable() or character > "\xa0" for character in row.plain), row.plain
+        assert all(character.isprintable() or character >= "\xa0" for character in row.plain), row.plain
 
 
 def test_the_word_that_sounds_is_marked() -> None:

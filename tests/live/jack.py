@@ -14,6 +14,8 @@ from dataclasses import dataclass
 import pytest
 
 _NUMBERS = itertools.count()
+TURNS = 15
+"""Times that a server is begun."""
 _BEGINS = 20.0
 """s that a server may take to begin"""
 
@@ -40,10 +42,9 @@ def jack_server(rate: int = 48000, period: int = 256) -> Iterator[Jack]:
     env = {"JACK_DEFAULT_SERVER": name, "JACK_NO_START_SERVER": "1", "JACK_NO_AUDIO_RESERVATION": "1"}
     before = {key: os.environ.get(key) for key in env}
     command = ["jackd", "-r", "-S", "-n", name, "-d", "dummy", "-r", str(rate), "-p", str(period)]
-    process = subprocess.Popen(command, env={**os.environ, **env}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.environ.update(env)
+    process = _begun(command, name)
     try:
-        _await(process, name)
         yield Jack(name=name, env=env, process=process)
     finally:
         end(process)
@@ -65,18 +66,29 @@ def end(process: subprocess.Popen[bytes]) -> None:
             process.wait()
 
 
-def _await(process: subprocess.Popen[bytes], name: str) -> None:
-    """Until it takes clients: `jack_lsp` tells, or, where there is none, a client of ours."""
+def _begun(command: list[str], name: str) -> subprocess.Popen[bytes]:
+    """A server that takes clients. A machine holds a few of them only: where others run, it waits for its turn."""
+    for _ in range(TURNS):
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        if _await(process, name):
+            return process
+        end(process)
+        time.sleep(1.0)
+    pytest.skip("jackd with the dummy driver does not begin here, or too many of them run")
+
+
+def _await(process: subprocess.Popen[bytes], name: str) -> bool:
+    """Until it takes clients: `jack_lsp` tells, or, where there is none, a client of ours; whether it does."""
     until = time.monotonic() + _BEGINS
     while process.poll() is None and time.monotonic() < until:
         asked = shutil.which("jack_lsp")
         if asked:
             if subprocess.run([asked, "-s", name], capture_output=True, check=False).returncode == 0:
-                return
+                return True
         elif _takes_midi():
-            return
+            return True
         time.sleep(0.05)
-    pytest.fail(f"jackd does not begin (exit status {process.poll()})")
+    return False
 
 
 def _takes_midi() -> bool:
