@@ -20,7 +20,10 @@ CONTEXT = 200
 """Code points of what went before that a tag's place may depend on."""
 LONGEST_TAG = 400
 """Code points after which an open bracket is text."""
-_UNSURE = re.compile(r"[\s\\]*$")
+_UNSURE = re.compile(r"(?:\s+|\s*\S{1,40})$")
+"""The end of a text that may go on: a word, which may not be whole, and the space before it."""
+_WHOLE = re.compile(r"[.,;:!?\u2026)\]}\"'\u201d\u2019\u00bb]$")
+"""What a word ends with that is whole."""
 _SAFE = re.compile(r"(?<=[^\s\]\\])\s(?=\w)")
 _BRACKET = re.compile(r"\[[^\]\n]*\]?")
 
@@ -56,6 +59,17 @@ class TagStream:
             if not _open(self._pending[:cut]):
                 return self._give(cut)
         return []
+
+    def keep(self, *, word: bool) -> str:
+        """Take out the beginning of a tag at the end of what came, or of a word, if that is wanted."""
+        at = self._pending.rfind("[") if _open(self._pending) else -1
+        if at < 0 and word and not _WHOLE.search(self._pending):
+            token = re.search(r"\S+$", self._pending)
+            at = token.start() if token else -1
+        if at < 0:
+            return ""
+        begun, self._pending = self._pending[at:], self._pending[:at]
+        return begun
 
     def finish(self) -> list[Clean]:
         """The text is over, or nothing more of it comes for now: give all."""

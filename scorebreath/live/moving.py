@@ -10,6 +10,8 @@ from scorebreath.ensemble import Performer
 from scorebreath.live.desk import Setting
 from scorebreath.live.heard import AS_MADE, heard
 from scorebreath.parameters.derive import derive
+from scorebreath.parameters.faces import face
+from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.events import Parameter
 from scorebreath.units import snap
@@ -60,11 +62,11 @@ def planned(name: str) -> bool:
 
 def in_force(p: Parameters) -> dict[str, Setting]:
     """The value in force of every parameter: set, derived, or as it is by itself; none where that is not one value."""
-    low = derive(p)
+    sources = p, derive(p), face(p), physique(p)
     values = {}
     for name in Parameters.model_fields:
-        value = getattr(p, name)
-        value = getattr(low, name, None) if value is None else value
+        known = (getattr(source, name, None) for source in sources)
+        value = next((one for one in known if one is not None), None)
         if value is not None:
             values[name] = value
     return values

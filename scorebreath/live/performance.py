@@ -23,7 +23,7 @@ from scorebreath.live.deciding import Decisions
 from scorebreath.live.interrupting import interrupt
 from scorebreath.live.ledger import Ledger
 from scorebreath.live.preparing import Prepared
-from scorebreath.live.prompter import ALL, NOTHING, SENTENCES
+from scorebreath.live.prompter import ALL, NOTHING, SENTENCES, WORDS
 from scorebreath.live.supply import Supply
 from scorebreath.media.store import MediaStore
 from scorebreath.parameters.table import Parameters
@@ -34,6 +34,8 @@ from scorebreath.units import snap
 
 SOON = 0.5
 """s before a group is due from which on an unfinished text is taken for it."""
+WORD = 5.0
+"""Times the usual patience that a word waits for its other half."""
 GLANCE = 0.25
 """s after which it looks again, whatever happens."""
 FADE = 0.1
@@ -177,7 +179,10 @@ class Performance:
         """How much of an unfinished text is taken: the more, the more it is needed."""
         if self.supply.ready or self.due > self.now + SOON:
             return NOTHING
-        return ALL if self.now - self.supply.fed > self.timing.patience else SENTENCES
+        waited = self.now - self.supply.fed
+        if waited > WORD * self.timing.patience:
+            return ALL
+        return WORDS if waited > self.timing.patience else SENTENCES
 
     def parameters(self, voice: str) -> Parameters:
         """Of whoever speaks with a voice, or would."""

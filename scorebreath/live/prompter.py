@@ -26,8 +26,8 @@ from scorebreath.script.model import Sentence
 
 APART = "\n\n"
 """What stands between two texts in the text of the performance."""
-NOTHING, SENTENCES, ALL = 0, 1, 2
-"""How much of an unfinished text is taken: what is certain; sentences that are over; all there is."""
+NOTHING, SENTENCES, WORDS, ALL = 0, 1, 2, 3
+"""How much of an unfinished text is taken: what is certain; sentences that are over; words that are; all there is."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -107,7 +107,7 @@ class Prompter:
         for text in kept:
             text.waiting.clear()
             text.sentences.clear()
-            text.reading, text.force = None, {}
+            text.reading, text.force, text.begun = None, {}, ""
         self.texts = deque(kept)
         self._fed.clear()
         self._ready.clear()
@@ -202,10 +202,13 @@ class Prompter:
 
     def _read(self, text: Text, flush: int) -> bool:
         """Read some more; whether there was anything."""
+        late = text.complete or (flush == ALL and not text.begun.startswith("["))
+        if late and text.begun and not text.waiting:
+            text.waiting.append("\n")  # nothing more comes of it
         if text.waiting:
             self._take(text, text.waiting.popleft())
-        elif text.complete or (flush == ALL and text.reading is not None):
-            text.pause()
+        elif text.complete or (flush >= WORDS and text.reading is not None):
+            text.pause(word=flush == WORDS)
         elif flush == SENTENCES and (not self._over or (text.reading is not None and text.reading.holds)):
             text.settle()
         else:
@@ -216,10 +219,10 @@ class Prompter:
         if isinstance(piece, Marked):
             text.reading = self._begin(text, piece)
             text.sentences.extend(text.reading.whole(piece.text))
-        elif text.reading is not None:
-            text.sentences.extend(text.reading.feed(piece))
-        elif piece.strip():
-            text.reading = self._begin(text, None)
+        elif text.reading is not None or (text.begun + piece).strip():
+            if text.reading is None:
+                text.reading = self._begin(text, None)
+            piece, text.begun = text.begun + piece, ""
             text.sentences.extend(text.reading.feed(piece))
         if text.reading is not None:
             self._used |= {kind: NEUTRAL[kind] for kind in lasting(text.reading.marks)}

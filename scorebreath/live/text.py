@@ -46,11 +46,13 @@ class Text:
     starters: list[Mark] = field(default_factory=list)
     """marks to stand before its next sentence"""
     reading: Reading | None = None
+    begun: str = ""
+    """the beginning of a tag or of a word, which waits for its end"""
 
     @property
     def empty(self) -> bool:
         """Whether all of it has been planned."""
-        return self.complete and not self.waiting and not self.sentences and self.reading is None
+        return self.complete and not (self.waiting or self.sentences or self.begun) and self.reading is None
 
     def next(self) -> Sentence | None:
         """The next sentence that has been read."""
@@ -60,9 +62,15 @@ class Text:
             self.starters = []
         return sentence
 
-    def pause(self) -> None:
-        """Nothing more of it comes for now: all that is read counts."""
+    def pause(self, *, word: bool = False) -> None:
+        """Nothing more of it comes for now: all that is read counts.
+
+        Args:
+            word: Whether a word that may not be whole waits for its end; the beginning of a tag does in any case.
+        """
         if self.reading is not None:
+            if not self.complete:
+                self.begun = self.reading.keep(word=word)
             self.sentences.extend(self.reading.finish())
             self.reading = None
         self.sentences.append(None)
@@ -110,6 +118,10 @@ class Reading:
             told=[(place + start, told) for place, told in clean.told],
         )  # fmt: skip
         self._moods, self._said, self._problem = moods, said, problem
+
+    def keep(self, *, word: bool) -> str:
+        """Take out the beginning of a tag or of a word at the end of what came."""
+        return self._tags.keep(word=word)
 
     def whole(self, text: str) -> list[Sentence]:
         """All of it, without tags."""

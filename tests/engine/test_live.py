@@ -118,7 +118,7 @@ def test_an_engine_killed_in_mid_breath_comes_back_and_goes_on() -> None:
     with jack_server(synchronous=False), sounder_named("scsynth", journal=entries.append, on_trouble=told) as sounder:
         backend = sounder._backend
         assert isinstance(backend, StartedBackend)
-        first = backend.pid
+        first, first_port = backend.pid, backend._port
         long = inspiration(0.2, noise(0.5, 4.0, 0.5))
         begun(sounder)
         later: tuple[Onset, ...] = ()
@@ -141,6 +141,8 @@ def test_an_engine_killed_in_mid_breath_comes_back_and_goes_on() -> None:
         status = sounder.status()
         assert status.lost == 1  # the breath it died in
         assert backend.pid != first
+        shared = [path.name for path in Path("/dev/shm").glob("SuperColliderServer_*")]
+        assert first_port != backend._port and f"SuperColliderServer_{first_port}" not in shared
         assert not [line for line in backend._said if "FAILURE" in line or "ERROR" in line]
     until(lambda: not _alive(first), "the first process to be gone")
 

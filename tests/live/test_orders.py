@@ -318,12 +318,24 @@ def test_a_broken_tag_in_a_stream_is_left_out_and_said(stage: Stage) -> None:
 def test_a_stream_that_stalls_is_said_as_far_as_it_came(stage: Stage) -> None:
     desk = Console(stage.performance)
     desk.stream("This is one sentence. And this one has no")
-    stage.go(8.0)
+    stage.go(14.0)
     assert words(stage) == ["This", "is", "one", "sentence", "And", "this", "one", "has", "no"]
     desk.stream(" end yet. Now it has.")
-    stage.go(16.0)
+    stage.go(28.0)
     assert [word.lower() for word in words(stage)[9:]] == ["end", "yet", "now", "it", "has"]
     finish(stage, desk)
+
+
+def test_tags_and_words_that_a_stall_tears_wait_for_their_other_half(stage: Stage) -> None:
+    desk = Console(stage.performance)
+    desk.stream("Hello there, my old frien")
+    stage.go(1.5)
+    desk.stream("d [gas")
+    stage.go(8.0)
+    desk.stream("p] well.")
+    finish(stage, desk)
+    assert [word.lower() for word in words(stage)] == ["hello", "there", "my", "old", "friend", "well"]
+    assert [event.kind for event in begun(stage, Inspiration)].count("gasp") == 1
 
 
 def test_a_sentence_that_is_over_is_said_before_the_next_one_is_whole() -> None:

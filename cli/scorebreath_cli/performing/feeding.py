@@ -84,17 +84,31 @@ class Feeder:
     def _stream(self, desk: Desk) -> None:
         decoder = codecs.getincrementaldecoder("utf-8-sig")("replace")
         descriptor = sys.stdin.fileno() if self._descriptor is None else self._descriptor
-        said = False
+        said, held = False, ""
+        document: bool | None = None  # whether it is SSML or MaryXML, which must be whole; None: not known yet
         while not self._over.is_set():
             data = os.read(descriptor, PIECE)
             piece = decoder.decode(data, final=not data)
             if "\N{REPLACEMENT CHARACTER}" in piece and not said:
                 said = True
                 self._note("<stdin>: not all of it is UTF-8; what is not is left out")
-            self._give(desk, piece.replace("\N{REPLACEMENT CHARACTER}", ""))
+            piece = piece.replace("\N{REPLACEMENT CHARACTER}", "")
+            if document is None and (begun := (held + piece).lstrip()):
+                document = begun.startswith("<")
+            if document is False:
+                self._give(desk, held + piece)
+                held = ""
+            else:
+                held += piece
+                if len(held) > BURST:
+                    raise InputError(f"a document of more than {BURST} characters")
             if not data:
                 break
-        if not self._over.is_set():
+        if self._over.is_set():
+            return
+        if document:
+            desk.say(held)
+        else:
             desk.end_stream()
 
     def _give(self, desk: Desk, piece: str) -> None:

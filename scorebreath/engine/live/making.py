@@ -27,6 +27,8 @@ def backend_named(name: str = DEFAULT, device: Device | None = None) -> Backend:
     Raises:
         InputError: There is no such engine, or a device is given to one that has its own.
     """
+    if name == SILENT and device is not None and device.name:
+        raise InputError(f"device={device.name!r}: the silent engine has none")
     if name == SILENT:
         return SilentBackend(*((device.sample_rate,) if device is not None and device.sample_rate else ()))
     if name.startswith("scsynth@"):

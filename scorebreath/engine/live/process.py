@@ -25,6 +25,8 @@ from scorebreath.errors import EngineError
 
 BOOT = 20.0
 """s that an engine may take to answer."""
+SHARED = "/dev/shm/SuperColliderServer_{port}"
+"""Where Linux has what an engine shares with other programs."""
 _LATE = re.compile(r"^late\s+(\d+(?:\.\d*)?)")
 _NOT_FOUND = "matching device NOT found"
 _OPTION = re.compile(r"^- (?P<name>\S+ : .+)$")
@@ -46,6 +48,7 @@ class StartedBackend(Linked):
         self.name = engine.name
         self.late = 0
         self.output_latency = 0.0
+        self._port = 0
         self._process: subprocess.Popen[str] | None = None
         self._guard: subprocess.Popen[bytes] | None = None
         self._reader: threading.Thread | None = None
@@ -60,7 +63,7 @@ class StartedBackend(Linked):
         """Start it and wait until it answers."""
         self._end()
         self.name = f"{self.engine.name} ({self.engine.version()})"
-        port = free_port()
+        port = self._port = free_port()
         self._said.clear()
         try:
             self._process = subprocess.Popen(
@@ -134,6 +137,8 @@ class StartedBackend(Linked):
         except subprocess.TimeoutExpired:
             process.kill()
             process.wait(_GONE)
+        with contextlib.suppress(OSError):  # one that was killed leaves its shared memory behind
+            Path(SHARED.format(port=self._port)).unlink()
         if self._reader is not None:
             self._reader.join(_GONE)
         guard, self._guard = self._guard, None
