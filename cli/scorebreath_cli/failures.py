@@ -31,13 +31,19 @@ class Status(IntEnum):
     """bad usage or input"""
     ENVIRONMENT = 3
     """engine, voice, extra, disk, device"""
+    HUNG_UP = 129
+    """SIGHUP: the terminal is gone"""
     INTERRUPTED = 130
     """Ctrl-C"""
     PIPE_CLOSED = 141
     """the reader of our output left; said by nobody"""
+    TERMINATED = 143
+    """SIGTERM"""
 
 
-GRAVITY = (Status.DONE, Status.INPUT, Status.ENVIRONMENT, Status.BUG, Status.INTERRUPTED, Status.PIPE_CLOSED)
+ENDINGS = {Status.HUNG_UP: "the terminal is gone", Status.INTERRUPTED: "interrupted", Status.TERMINATED: "terminated"}
+"""Signals that end a command, and how that is said."""
+GRAVITY = (Status.DONE, Status.INPUT, Status.ENVIRONMENT, Status.BUG, *ENDINGS, Status.PIPE_CLOSED)
 """From harmless to worst: of several inputs, the worst status is the command's."""
 
 
@@ -63,6 +69,18 @@ def worst(statuses: Iterator[Status] | list[Status]) -> Status:
     return max(statuses, key=GRAVITY.index, default=Status.DONE)
 
 
+def ending_of(error: BaseException) -> Status | None:
+    """The signal that ended a command by this, or None.
+
+    >>> ending_of(KeyboardInterrupt()), ending_of(SystemExit(143)), ending_of(SystemExit(2))
+    (<Status.INTERRUPTED: 130>, <Status.TERMINATED: 143>, None)
+    """
+    if isinstance(error, KeyboardInterrupt):
+        return Status.INTERRUPTED
+    code = error.code if isinstance(error, SystemExit) else None
+    return next((status for status in ENDINGS if status == code), None)
+
+
 def failure_of(error: BaseException, *, debug: bool = False) -> Failure:
     """What an error means for the one who gave the command; with `debug` its traceback goes to stderr."""
     if debug and not isinstance(error, BrokenPipeError):
@@ -70,8 +88,9 @@ def failure_of(error: BaseException, *, debug: bool = False) -> Failure:
     from scorebreath.errors import ScorebreathError, ScriptError
 
     kind = type(error).__name__
-    if isinstance(error, KeyboardInterrupt):
-        return Failure(status=Status.INTERRUPTED, kind="Interrupted", message="interrupted; nothing was left behind")
+    if (ended := ending_of(error)) is not None:
+        said = f"{ENDINGS[ended]}; nothing was left behind"
+        return Failure(status=ended, kind=ended.name.title().replace("_", ""), message=said)
     if isinstance(error, ScriptError):
         return Failure(
             status=Status.INPUT, kind=kind, message=str(error), line=error.line, column=error.column
@@ -108,8 +127,8 @@ def reporting(make_printer: Callable[[], Printer], *, debug: bool) -> Iterator[P
         finally:
             printer.close()
         sys.stdout.flush()
-    except (Exception, KeyboardInterrupt) as error:
-        if isinstance(error, typer.Exit):
+    except (Exception, KeyboardInterrupt, SystemExit) as error:
+        if isinstance(error, typer.Exit) or (isinstance(error, SystemExit) and ending_of(error) is None):
             raise
         failure = failure_of(error, debug=debug)
         tell(printer, failure)
@@ -128,6 +147,20 @@ def tell(printer: Printer, failure: Failure) -> None:
         if not said and not isinstance(error, BrokenPipeError):
             with suppress(OSError):
                 HumanPrinter().failed(failure)
+
+
+def conclude(printer: Printer, status: Status, said: str = "") -> None:
+    """A performance is over, by itself or by a signal: say so, and end with that status.
+
+    Raises:
+        typer.Exit: It was ended by a signal.
+    """
+    if status in ENDINGS:
+        said = f"{ENDINGS[status]}; {said}" if said else ENDINGS[status]
+    with suppress(OSError):  # where the terminal is gone, nobody is to be told
+        printer.done(status, said)
+    if status != Status.DONE:
+        raise typer.Exit(status)
 
 
 def _bug(error: BaseException) -> str:

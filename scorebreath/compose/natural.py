@@ -52,7 +52,7 @@ def person(parameters: Parameters) -> Person:
     return Person(
         vital_capacity=snap(min(20.0, max(0.1, body.vital_capacity * parameters.capacity_lung / 100.0))),
         resting_volume=snap(body.resting_volume),
-        vocal_tract=snap(body.vocal_tract),
+        vocal_tract=snap(body.vocal_tract_length),
     )
 
 

@@ -72,6 +72,7 @@ class Counts:
     unspoken: int = 0
     """groups that the voice failed at"""
     cuts: int = 0
+    """interruptions: by a command, or by words that are cut in"""
     stalls: int = 0
     """times the performer itself was held up for so long that something could not be decided in time"""
 

@@ -9,9 +9,10 @@ from scorebreath.ensemble import Performer
 from scorebreath.errors import InputError, did_you_mean, shortened
 from scorebreath.live import orders
 from scorebreath.live.desk import COMMANDS, Change, Setting
-from scorebreath.live.moving import in_force, move
+from scorebreath.live.moving import move, moved
 from scorebreath.live.performance import Performance
 from scorebreath.live.text import Text
+from scorebreath.parameters.in_force import in_force
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.events import Command
 from scorebreath.script.markup.marked import Markup, marked
@@ -115,6 +116,9 @@ class Console:
             Parameters(**{name: 0.0})  # raises, and says what may be meant
         if glide is not None and not 0.0 <= glide <= 60.0:
             raise InputError(f"glide={glide:g} must be in [0, 60] s")
+
+        for who in _who(self._performance, body, ""):
+            moved(who.state.parameters, {name: value})
 
         def carry_out(performance: Performance) -> None:
             for who in _who(performance, body, ""):

@@ -49,6 +49,8 @@ class Decisions:
         """Nothing is decided."""
         self.ledger, self.sounder, self.tell = ledger, sounder, tell
         self.counts = Counts()
+        self.cuts = 0
+        """that were made, those by which silence gives way to speech too"""
         self.heard = dict.fromkeys(ledger.bodies, AS_MADE)
         """by body: what is done to its sound"""
         self.moved: dict[str, float] = {}
@@ -70,7 +72,8 @@ class Decisions:
             self._sound(body, [event for event in own if not isinstance(event, (*FACE, Cut, Parameter))])
             for event in own:
                 if isinstance(event, Cut):
-                    self.counts.cuts += 1
+                    self.cuts += 1
+                    self.counts.cuts += event.rule != GIVES_WAY
                     self.sounder.cut(event.onset, event.targets, event.fade)
                 elif isinstance(event, Parameter) and event.heard is not None:
                     self.sounder.move(event.onset, body, event.heard, event.glide)
@@ -120,7 +123,7 @@ class Decisions:
         self.decide(
             [
                 Cut(
-                    id=f"{body}.cut{self.counts.cuts + 1}", body=body, onset=at, duration=snap(fade),
+                    id=f"{body}.cut{self.cuts + 1}", body=body, onset=at, duration=snap(fade),
                     origin="rule" if rule == GIVES_WAY else "performer", rule=rule, targets=tuple(targets),
                     fade=snap(fade),
                 )

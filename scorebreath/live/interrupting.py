@@ -58,7 +58,7 @@ def interrupt(performance: Performance, who: Performer, at: float, *, fade: floa
     alive = [event for event in alive if event.id not in ends or ends[event.id].time > at]
     targets = [event.id for event in alive if _ends(event, at)]
     volume = float(performance.ledger.curves(body).sample([at], ["lung_volume"])[0, 0])
-    number = performance.decisions.counts.cuts + 1
+    number = performance.decisions.cuts + 1
     performance.decisions.never_happens(body, at)
     if targets:
         performance.decisions.cut(body, at, targets, fade, rule)

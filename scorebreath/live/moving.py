@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Any
 from scorebreath.ensemble import Performer
 from scorebreath.live.desk import Setting
 from scorebreath.live.heard import AS_MADE, heard
-from scorebreath.parameters.derive import derive
-from scorebreath.parameters.faces import face
 from scorebreath.parameters.physique import physique
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.events import Parameter
@@ -36,10 +34,13 @@ def move(performance: Performance, who: Performer, changes: Mapping[str, Setting
     """Set parameters of a body, or reset those that are None.
 
     What is decided keeps its shape; the sound follows at once, everything else with the next breath group.
+
+    Raises:
+        ParameterError: As for `moved`.
     """
-    performance.take_back()
     before = who.state.parameters
-    after = before.with_values(dict(changes))
+    after = moved(before, changes)
+    performance.take_back()
     if after == before and after.set_by_hand() == before.set_by_hand():
         return
     who.state = replace(who.state, parameters=after)
@@ -50,6 +51,17 @@ def move(performance: Performance, who: Performer, changes: Mapping[str, Setting
         performance.plan_soon()
 
 
+def moved(before: Parameters, changes: Mapping[str, Setting | None]) -> Parameters:
+    """The parameters of a body after a move.
+
+    Raises:
+        ParameterError: There is no such body: two of its parameters exclude each other, or one is out of range.
+    """
+    after = before.with_values(dict(changes))
+    physique(after)
+    return after
+
+
 def planned(name: str) -> bool:
     """Whether plans or voices depend on a parameter.
 
@@ -58,18 +70,6 @@ def planned(name: str) -> bool:
     """
     extra: Any = Parameters.model_fields[name].json_schema_extra
     return name not in NOT_PLANNED and extra["level"] not in ("output", "face")
-
-
-def in_force(p: Parameters) -> dict[str, Setting]:
-    """The value in force of every parameter: set, derived, or as it is by itself; none where that is not one value."""
-    sources = p, derive(p), face(p), physique(p)
-    values = {}
-    for name in Parameters.model_fields:
-        known = (getattr(source, name, None) for source in sources)
-        value = next((one for one in known if one is not None), None)
-        if value is not None:
-            values[name] = value
-    return values
 
 
 def _keep(performance: Performance, who: Performer, after: Parameters) -> None:

@@ -15,6 +15,7 @@ from collections import deque
 from collections.abc import Callable
 
 from scorebreath.ensemble import Performer
+from scorebreath.errors import InputError
 from scorebreath.expression.silence import LOOK_AHEAD
 from scorebreath.live.backstage import Backstage
 from scorebreath.live.company import Company, Turn
@@ -123,8 +124,12 @@ class Performance:
         self.now = now
         while self.inbox:
             order = self.inbox.popleft()
-            if self.over is None:  # what comes once the end is decided comes too late
+            if self.over is not None:  # what comes once the end is decided comes too late
+                continue
+            try:
                 order(self)
+            except InputError as error:  # what two moves together make is known only now
+                self.tell(f"refused: {error}")
         if self._planning is not None and now >= self._planning:
             self.plan_again(keep=1 if self.supply.ready and self.due - now < NEAR else 0)
         self.supply.want(self._flush())

@@ -29,7 +29,7 @@ class Physique:
     """end-expiratory level, fraction of VC"""
     thorax_share: float
     """0..1"""
-    vocal_tract: float
+    vocal_tract_length: float
     """cm"""
 
 
@@ -40,7 +40,7 @@ def physique(p: Parameters) -> Physique:
         ParameterError: The equation for vital capacity does not hold for this age; names what does.
 
     >>> physique(Parameters())
-    Physique(vital_capacity=5.1, resting_volume=0.38, thorax_share=0.65, vocal_tract=17.0)
+    Physique(vital_capacity=5.1, resting_volume=0.38, thorax_share=0.65, vocal_tract_length=17.0)
     >>> physique(Parameters(sex="female", height=165.0, posture="supine")).vital_capacity
     3.68
     """
@@ -48,7 +48,7 @@ def physique(p: Parameters) -> Physique:
         vital_capacity=_predicted_capacity(p) if p.vital_capacity is None else p.vital_capacity,
         resting_volume=RESTING_VOLUME[p.posture] if p.resting_volume is None else p.resting_volume,
         thorax_share=thorax_share(p),
-        vocal_tract=_predicted_tract(p) if p.vocal_tract_length is None else p.vocal_tract_length,
+        vocal_tract_length=_predicted_tract(p) if p.vocal_tract_length is None else p.vocal_tract_length,
     )
 
 

@@ -160,6 +160,23 @@ def test_a_second_interrupt_ends_at_once(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129)])
+@pytest.mark.parametrize("command", ["live", "play"])
+def test_a_program_is_told_how_it_ended(
+    performed: Path, tmp_path: Path, command: str, number: int, status: int
+) -> None:
+    (tmp_path / "in.txt").write_text(LONG)
+    given = ("in.txt", *QUIET) if command == "live" else (performed / "take", *QUIET[:2])
+    with program(command, *given, "--json", cwd=tmp_path, stdin=subprocess.DEVNULL) as process:
+        told(process, "group" if command == "live" else "started")
+        process.send_signal(number)
+        found = told(process)
+        assert process.wait(PATIENCE) == status
+    assert [event["event"] for event in found[-2:]] == ["ended", "done"]
+    assert found[-1]["status"] == status
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 143), (signal.SIGKILL, -9)])
 def test_whatever_ends_it_the_take_is_there(tmp_path: Path, number: int, status: int) -> None:
     (tmp_path / "in.txt").write_text(LONG)
@@ -208,6 +225,7 @@ WRONG: dict[str, tuple[list[str], int, str]] = {
     "engine": (["--engine", "organ"], 2, "organ"),
     "engine's address": (["--engine", "scsynth@here"], 2, "scsynth@HOST:PORT"),
     "device of another's engine": (["--engine", "scsynth@127.0.0.1:57110", "--device", "USB"], 2, "USB"),
+    "device of an engine without": (["--device", "USB"], 2, "the silent engine has none"),
     "rate": (["--rate", "7"], 2, "7"),
     "lookahead": (["--lookahead", "0"], 2, "--lookahead 0"),
     "output latency": (["--output-latency", "-1"], 2, "--output-latency -1"),
@@ -234,6 +252,7 @@ WRONG: dict[str, tuple[list[str], int, str]] = {
     "breaths": (["--breaths", "missing"], 2, "missing"),
     "file": (["missing.txt"], 2, "missing.txt"),
     "stdin twice": (["-", "-"], 2, "once"),
+    "a day of speech": (["long.txt"], 2, "expected at most 1000000"),
     "a score": (["score.json"], 2, "scorebreath play"),
     "broken markup": (["broken.ssml"], 2, "broken.ssml:1:"),
     "take that is a file": (["--take", "in.txt"], 2, "in.txt"),
@@ -247,6 +266,7 @@ def test_wrong_options_are_refused_in_a_line(tmp_path: Path, monkeypatch: pytest
     monkeypatch.chdir(tmp_path)
     (tmp_path / "in.txt").write_text("Hello.")
     (tmp_path / "score.json").write_text('{"schema": "scorebreath.score/1"}')
+    (tmp_path / "long.txt").write_text("And on. " * 130_000)
     (tmp_path / "broken.ssml").write_text("<speak>Hello & goodbye</speak>")
     arguments, status, said = WRONG[name]
     result = run("live", "in.txt", *QUIET[:4], *arguments, *([] if "osc" in name else ["--no-osc"]))

@@ -282,6 +282,32 @@ def test_what_is_too_fast_waits_in_its_pipe(monkeypatch: pytest.MonkeyPatch) -> 
     os.close(reading)
 
 
+SSML = '\n<speak>Good evening.<break time="300ms"/> And so to bed.</speak>\n'
+MARYXML = (
+    '<?xml version="1.0"?><maryxml version="0.5" xmlns="http://mary.dfki.de/2002/MaryXML" xml:lang="en">'
+    "<p><s><t>Good</t> <t>evening</t></s></p></maryxml>"
+)
+
+
+@pytest.mark.parametrize("document", [SSML, MARYXML])
+@pytest.mark.parametrize("piece", [1, 7, 1_000])
+def test_a_document_that_comes_in_pieces_is_said_when_it_is_whole(
+    document: str, piece: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(feeding, "PIECE", piece)
+    desk = ToyDesk()
+    fed([None], desk, f"\ufeff{document}".encode())
+    assert desk.calls == [("say", document, "")]
+
+
+def test_an_endless_document_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(feeding, "BURST", 100)
+    desk, notes = ToyDesk(), list[str]()
+    fed([None, Whole(name="a", text="One.")], desk, b"<speak>" + b"a" * 200, notes)
+    assert notes == ["<stdin>: a document of more than 100 characters"]
+    assert desk.calls == [("say", "One.", "")]
+
+
 @pytest.mark.parametrize("text", ["", "x", "70000", "1:2:3", "host:", ":9", "[::1", "h o:9"])
 def test_what_is_no_address_is_refused(text: str) -> None:
     with pytest.raises(InputError, match="expected PORT or HOST:PORT"):

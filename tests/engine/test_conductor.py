@@ -83,6 +83,17 @@ def test_sounds_are_sent_just_before_their_time_on_their_frame() -> None:
     assert engine.conductor.tally.lead_min == pytest.approx(LOOKAHEAD)
 
 
+def test_a_move_that_is_told_shortly_before_its_time_is_no_lead_of_sounds() -> None:
+    engine = Engine()
+    engine.conductor.play(sound(1.0))
+    engine.until(2.0)
+    engine.conductor.move(2.06, "b", Heard(mouth=2.0), 0.1)
+    engine.until(4.0)
+    tally = engine.conductor.tally
+    assert (tally.sent, tally.late_sent) == (2, 0)
+    assert (tally.lead_min, tally.lead_mean) == pytest.approx((LOOKAHEAD, LOOKAHEAD))
+
+
 @given(st.lists(st.floats(0, 3000), max_size=20))
 def test_tags_lie_on_the_frames_of_an_offline_run(times: list[float]) -> None:
     live, offline = LiveClock(start=START, sample_rate=RATE), OfflineClock(sample_rate=RATE)

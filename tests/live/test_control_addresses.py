@@ -177,8 +177,14 @@ def test_what_is_wrong_is_said(address: str, arguments: tuple[Argument, ...], pr
 
 
 def test_a_wrong_address_gets_a_hint() -> None:
-    assert hint("/scorebreath/body2/nose_shar").startswith("; did you mean nose_share")
-    assert hint("/scorebreath/" + "q" * 5000) == ""
+    bodies = ["body", "body2"]
+    assert hint("/scorebreath/body2/nose_shar", bodies).startswith("; did you mean nose_share")
+    assert hint("/scorebreath/nose_shar", bodies).startswith("; did you mean nose_share")
+    assert hint("/scorebreath/command/nosuch", bodies) == ""
+    assert hint("/scorebreath/comand/sigh", bodies).startswith("; there are body, body2")
+    assert hint("/scorebreath/body3/sigh", bodies) == "; there are body, body2; did you mean body or body2?"
+    assert hint("/scorebreath/body2/ping", bodies) == "; it is for everybody"
+    assert hint("/scorebreath/" + "q" * 5000, bodies) == ""
 
 
 @given(st.floats(width=32, allow_nan=False, allow_infinity=False), st.floats(-1e6, 1e6))

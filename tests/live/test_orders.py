@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TypeVar
 
 import numpy as np
@@ -15,6 +16,7 @@ from scorebreath.live.orders import ACTS, ORDERS
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.cutting import end_of, endings
 from scorebreath.score.events import Command, Cut, Event, Expiration, Hold, Inspiration, Parameter, Utterance
+from scorebreath.score.performing import GIVES_WAY
 from scorebreath.speech.model import Voice
 from tests.live.rehearsals import BREATHS, SPEECH, overlaps
 from tests.live.stages import QuickTone, Stage
@@ -303,6 +305,46 @@ def test_what_is_wrong_is_refused_at_once_in_one_line(wrong: object, stage: Stag
         wrong(desk)  # type: ignore[operator]
     assert str(caught.value)
     assert not stage.performance.inbox
+
+
+CHILD: dict[str, Setting] = {"capacity_equation": "ecsc-1993", "age": 10.0}
+"""An equation for adults, and a child."""
+
+
+def test_a_value_that_the_others_exclude_is_refused_at_once(stage: Stage, desk: Console) -> None:
+    stage.go(1.0)
+    desk.set("capacity_equation", "ecsc-1993")
+    stage.go(2.0)
+    with pytest.raises(ParameterError, match="is for adults"):
+        desk.set("age", 10.0)
+    assert not stage.performance.inbox
+
+
+def test_of_two_moves_that_exclude_each_other_the_first_is_done_and_speech_goes_on(stage: Stage, desk: Console) -> None:
+    stage.go(1.0)
+    for name, value in CHILD.items():  # neither is done when the other is told
+        desk.set(name, value)
+    finish(stage, desk)
+    assert any("refused" in line and "is for adults" in line for line in stage.told)
+    assert (desk.values()["capacity_equation"], desk.values()["age"]) == ("ecsc-1993", Parameters().age)
+    assert words(stage) == re.findall(r"\w+", SAYING)
+
+
+def test_only_interruptions_are_counted_as_cuts(stage: Stage) -> None:
+    """The silent breath that gives way to speech is nobody's interruption."""
+    desk = Console(stage.performance)
+    for number in range(3):
+        stage.go(stage.now + 6.0)
+        desk.say(f"Line {number}.")
+    stage.go(stage.now + 10.0)
+    assert any(event.rule == GIVES_WAY for event in begun(stage, Cut))
+    assert stage.performance.decisions.counts.cuts == 0
+    desk.command("sigh")
+    stage.go(stage.now + 1.0)
+    assert stage.performance.decisions.counts.cuts == 1
+    finish(stage, desk)
+    made = [event.id for event in stage.score().of(Cut)]
+    assert len(set(made)) == len(made)
 
 
 def test_a_broken_tag_in_a_stream_is_left_out_and_said(stage: Stage) -> None:

@@ -24,7 +24,7 @@ PEOPLE = st.builds(Parameters, **WHO)
 
 
 def test_the_default_man_is_as_he_was() -> None:
-    expected = Physique(vital_capacity=5.10, resting_volume=0.38, thorax_share=0.65, vocal_tract=17.0)
+    expected = Physique(vital_capacity=5.10, resting_volume=0.38, thorax_share=0.65, vocal_tract_length=17.0)
     assert physique(Parameters()) == expected
 
 
@@ -34,7 +34,7 @@ def test_every_body_is_within_what_may_be_set(p: Parameters) -> None:
     for name, value in (
         ("vital_capacity", body.vital_capacity),
         ("resting_volume", body.resting_volume),
-        ("vocal_tract_length", body.vocal_tract),
+        ("vocal_tract_length", body.vocal_tract_length),
     ):
         low, high = bounds(name) or (0.0, 0.0)
         assert low <= value <= high
@@ -65,7 +65,7 @@ def test_posture_sex_and_condition(values: dict[str, Any], resting: float, thora
 def test_what_is_set_by_hand_wins() -> None:
     values = {"vital_capacity": 2.345, "resting_volume": 0.41, "abdomen_share": 0.35, "vocal_tract_length": 15.5}
     p = Parameters(posture="supine", sex="female", age=80.0, **values)
-    expected = Physique(vital_capacity=2.345, resting_volume=0.41, thorax_share=0.65, vocal_tract=15.5)
+    expected = Physique(vital_capacity=2.345, resting_volume=0.41, thorax_share=0.65, vocal_tract_length=15.5)
     assert physique(p) == expected
 
 
@@ -87,4 +87,4 @@ def test_ecsc_of_an_adult() -> None:
 def test_the_presets_are_people(preset: str, capacity: float, tract: float) -> None:
     body = physique(Parameters(**load_preset(preset).values))
     assert body.vital_capacity == pytest.approx(capacity, abs=0.02)
-    assert body.vocal_tract == pytest.approx(tract, abs=0.01)
+    assert body.vocal_tract_length == pytest.approx(tract, abs=0.01)

@@ -47,16 +47,13 @@ def params(
 
 
 def _rows(options: CompileOptions, names: list[str]) -> list[dict[str, Any]]:
-    from dataclasses import asdict
-
     from scorebreath.errors import ParameterError
-    from scorebreath.parameters.derive import derive
-    from scorebreath.parameters.faces import face
+    from scorebreath.parameters.in_force import in_force
     from scorebreath.parameters.table import bounds, osc_address
     from scorebreath.units import plain
 
     parameters = options.parameters()
-    derived = {**asdict(derive(parameters)), **asdict(face(parameters)), **_of_the_body(parameters)}
+    values = in_force(parameters)
     rows = []
     for given in names:
         name = given.replace("-", "_")
@@ -65,12 +62,11 @@ def _rows(options: CompileOptions, names: list[str]) -> list[dict[str, Any]]:
             parameters.with_values({name: 0})  # raises, with the nearest name
             raise ParameterError(f"no parameter is called {name!r}")
         extra = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}
-        value = getattr(parameters, name)
         limits = bounds(name)
         rows.append(
             {
                 "name": name,
-                "value": derived[name] if value is None else value,
+                "value": values[name],
                 "set_by": _set_by(options, parameters, name),
                 "unit": extra["unit"],
                 "range": f"{plain(limits[0])}..{plain(limits[1])}" if limits else _choices(field.annotation),
@@ -83,18 +79,6 @@ def _rows(options: CompileOptions, names: list[str]) -> list[dict[str, Any]]:
             }
         )
     return rows
-
-
-def _of_the_body(parameters: Parameters) -> dict[str, float]:
-    """What follows from the person."""
-    from scorebreath.parameters.physique import physique
-
-    body = physique(parameters)
-    return {
-        "vital_capacity": body.vital_capacity,
-        "resting_volume": body.resting_volume,
-        "vocal_tract_length": body.vocal_tract,
-    }
 
 
 def _set_by(options: CompileOptions, parameters: Parameters, name: str) -> str:

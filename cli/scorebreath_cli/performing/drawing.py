@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from math import isfinite
 from typing import TYPE_CHECKING
 
 from rich.console import Console
@@ -154,7 +155,7 @@ def _groups(counts: Counts) -> Text:
 
 def _engine(shown: Shown) -> Text:
     engine = shown.engine
-    lead = f", lead {1000 * engine.lead_min:.0f} ms at worst" if engine.sent else ""
+    lead = f", lead {1000 * engine.lead_min:.0f} ms at worst" if isfinite(engine.lead_min) else ""
     late = engine.late + engine.late_sent
     told = f"{engine.sent} bundles{lead}, "
     bad = f"{late} late, {engine.lost} lost, {engine.restarts} restarts"

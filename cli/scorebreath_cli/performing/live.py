@@ -8,10 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import typer
-
 from scorebreath.errors import InputError
-from scorebreath_cli.failures import Status
+from scorebreath_cli.failures import Status, conclude, ending_of
 from scorebreath_cli.inputs import read_source
 from scorebreath_cli.making import Compiler, text_of
 from scorebreath_cli.outputs import STANDARD, TAKE
@@ -69,19 +67,17 @@ def perform(given: Sequence[str], wishes: Wishes, compiler: Compiler, printer: P
     plan = _planned(wishes, compiler, first)
     teller = Teller(printer, json_lines=wishes.json_lines)
     stage = Stage(plan, compiler.voice, teller)
-    interrupted = False
+    status = Status.DONE
     try:
         with stage:
-            interrupted = _performed(stage, texts, wishes, teller, typing=STANDARD not in names)
-    except KeyboardInterrupt:
-        interrupted = True
+            if _performed(stage, texts, wishes, teller, typing=STANDARD not in names):
+                status = Status.INTERRUPTED
+    except (KeyboardInterrupt, SystemExit) as error:
+        status = ending_of(error) or Status.BUG
     finally:
         _last_words(stage, wishes, teller, printer)
-    status = Status.INTERRUPTED if interrupted else Status.DONE
     said = _summary(stage.ended, plan) if stage.ended else ""
-    printer.done(status, ("interrupted; " if interrupted else "") + said)
-    if interrupted:
-        raise typer.Exit(status)
+    conclude(printer, status, said)
 
 
 def _texts(names: Sequence[str], compiler: Compiler) -> tuple[list[Whole | None], Marked | None]:
@@ -90,6 +86,7 @@ def _texts(names: Sequence[str], compiler: Compiler) -> tuple[list[Whole | None]
     Raises:
         InputError: A file is not there, is no script, or its markup is wrong.
     """
+    from scorebreath.live.console import LONGEST_TEXT
     from scorebreath.script.decode import decode
     from scorebreath_cli.performing.feeding import Whole
 
@@ -102,9 +99,15 @@ def _texts(names: Sequence[str], compiler: Compiler) -> tuple[list[Whole | None]
         source = read_source(name)
         if source.compiled:
             raise InputError(f"{source.name}: is a {source.kind} already; `scorebreath play` plays it")
+        text = decode(source.data, source.name)
+        if len(text) > LONGEST_TEXT:
+            raise InputError(
+                f"{source.name}: {len(text)} characters, which is a day of speech; expected at most {LONGEST_TEXT}; "
+                "through a pipe (-) there may be any number"
+            )
         marked = text_of(source, compiler.options)
         first = first or marked
-        texts.append(Whole(name=source.name, text=decode(source.data, source.name)))
+        texts.append(Whole(name=source.name, text=text))
     return texts, first
 
 

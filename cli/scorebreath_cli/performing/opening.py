@@ -18,8 +18,10 @@ if TYPE_CHECKING:
     from scorebreath_cli.performing.settings import StreamOptions
     from scorebreath_cli.performing.telling import Teller
 
-UNLISTED = {"lead_min", "lead_mean"}
-"""Figures that are left out where nothing was sent: they are no numbers then."""
+COUNTED_SOUNDS = {"lead_min", "lead_mean"}
+"""Figures that are left out where nothing sounded: they are no numbers then."""
+NO_COUNT = {"latency"}
+"""What an engine tells besides counts; `started` has it, with the output's."""
 
 
 def open_streams(options: StreamOptions) -> list[Stream]:
@@ -59,7 +61,8 @@ def open_sender(
 
 def figures(engine: Status, streams: Sequence[Stream], sender: Sender | None) -> dict[str, Any]:
     """What an engine and streams have counted, for programs."""
-    told = {name: value for name, value in asdict(engine).items() if name not in UNLISTED or isfinite(value)}
+    unlisted = NO_COUNT if isfinite(engine.lead_min) else NO_COUNT | COUNTED_SOUNDS
+    told = {name: value for name, value in asdict(engine).items() if name not in unlisted}
     counts = sender.counts if sender is not None else ()
     curves = [{"target": s.target.name, **asdict(count)} for s, count in zip(streams, counts, strict=True)]
     return {"engine": told, "curves": curves}

@@ -11,10 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import typer
-
 from scorebreath.errors import shortened
-from scorebreath_cli.failures import Status
+from scorebreath_cli.failures import Status, conclude, ending_of
 from scorebreath_cli.inputs import load_score, read_source
 from scorebreath_cli.performing.opening import figures, open_sender, open_streams
 from scorebreath_cli.performing.performing import TURN, Interrupts
@@ -120,6 +118,10 @@ class Player:
             width, height,
         )  # fmt: skip
 
+    def figures(self) -> dict[str, Any]:
+        """What engine and streams have counted, for programs."""
+        return figures(self._sounder.status(), self.streams, self.sender)
+
     def _view(self, samples: int) -> View:
         from scorebreath.live.viewing import View
 
@@ -158,7 +160,7 @@ def play(given: str, wishes: Wishes, printer: Printer) -> None:
     check_media(score, media)
     seconds_from("--start", wishes.start, score.duration)
     teller = Teller(printer, json_lines=wishes.json_lines)
-    interrupted = False
+    status = Status.DONE
     ended: dict[str, Any] = {}
     try:
         with ExitStack() as stack:
@@ -168,22 +170,24 @@ def play(given: str, wishes: Wishes, printer: Printer) -> None:
             player = Player(given, score, transport, sounder, wishes.engine.latency(sounder))
             _open_streams(player, wishes, stack, transport, teller)
             stack.callback(transport.pause)
+            stack.callback(lambda: ended.update(_counted(player, transport)))
             _begun(player, score, sounder, teller)
-            interrupted = _played(player, transport, wishes, teller)
-            ended = {"seconds": round(transport.position, 3), "complete": transport.over}
-            ended |= figures(sounder.status(), player.streams, player.sender)
+            if _played(player, transport, wishes, teller):
+                status = Status.INTERRUPTED
             if transport.over:
                 time.sleep(player.latency + ECHO)
-    except KeyboardInterrupt:
-        interrupted = True
+    except (KeyboardInterrupt, SystemExit) as error:
+        status = ending_of(error) or Status.BUG
     finally:
         teller.drain()
         if wishes.json_lines and ended:
             printer.item("ended", ended, "")
-    status = Status.INTERRUPTED if interrupted else Status.DONE
-    printer.done(status, "interrupted" if interrupted else "")
-    if interrupted:
-        raise typer.Exit(status)
+    conclude(printer, status)
+
+
+def _counted(player: Player, transport: Transport) -> dict[str, Any]:
+    played = {"seconds": round(transport.position, 3), "complete": transport.over}
+    return played | player.figures()
 
 
 def _open_streams(

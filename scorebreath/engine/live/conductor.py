@@ -316,7 +316,7 @@ class Conductor:
             return
         tag = self.clock.tag(time)
         self._send(tag, messages)
-        self.tally.bundle(time - now)
+        self.tally.bundle(time - now, sound=kind == "sound")
         if self._journal is not None:
             self._journal(
                 Entry(

@@ -28,6 +28,6 @@ class Status:
     waiting: int
     """what has its time still to come"""
     lead_min: float
-    """s before its time that a bundle was sent, at worst; infinite before the first"""
+    """s before its time that a sound was sent, at worst; infinite before the first"""
     lead_mean: float
     """s"""

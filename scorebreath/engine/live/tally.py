@@ -14,15 +14,18 @@ class Tally:
     late_sent: int = 0
     lost: int = 0
     lead_min: float = inf
+    _sounds: int = 0
     _lead_sum: float = 0.0
 
-    def bundle(self, lead: float) -> None:
-        """A bundle was sent so many seconds before its time."""
+    def bundle(self, lead: float, *, sound: bool) -> None:
+        """A bundle was sent so many seconds before its time; moves and cuts are not told as early as sounds."""
         self.sent += 1
-        self.lead_min = min(self.lead_min, lead)
-        self._lead_sum += lead
+        if sound:
+            self._sounds += 1
+            self.lead_min = min(self.lead_min, lead)
+            self._lead_sum += lead
 
     @property
     def lead_mean(self) -> float:
-        """Seconds; 0 before the first bundle."""
-        return self._lead_sum / self.sent if self.sent else 0.0
+        """Seconds; 0 before the first sound."""
+        return self._lead_sum / self._sounds if self._sounds else 0.0

@@ -75,11 +75,16 @@ class AddressRow:
     about: str
 
 
+class NoAddressError(InputError):
+    """An address leads nowhere."""
+
+
 def resolve(address: str, bodies: Sequence[str]) -> Place:
     """What an address leads to, for these bodies.
 
     Raises:
-        InputError: There is nothing there.
+        NoAddressError: There is nothing there.
+        InputError: It is none of ours.
 
     >>> resolve("/scorebreath/body2/nose_share", ["body", "body2"])
     Place(kind='parameter', name='nose_share', body='body2')
@@ -94,12 +99,25 @@ def resolve(address: str, bodies: Sequence[str]) -> Place:
     body, _, rest = path.partition("/")
     if body in bodies and (place := _named(rest)) and (place.kind != "verb" or VERBS[place.name].bodies):
         return Place(kind=place.kind, name=place.name, body=body)
-    raise InputError(f"{shortened(address, 80)}: there is no such address")
+    raise NoAddressError(f"{shortened(address, 80)}: there is no such address")
 
 
-def hint(address: str) -> str:
-    """A tail for an error message: what somebody may have meant behind the last stroke, or nothing."""
-    return did_you_mean(address[:LONGEST_ADDRESS].rpartition("/")[2], [row.place.name for row in table()])
+def hint(address: str, bodies: Sequence[str]) -> str:
+    """A tail for an error message: what somebody may have meant by an address that leads nowhere, or nothing.
+
+    >>> hint("/scorebreath/command/sihg", ["body"])
+    '; did you mean sigh?'
+    >>> hint("/scorebreath/bdoy/nose_share", ["body", "body2"])
+    '; there are body, body2; did you mean body or body2?'
+    """
+    path = address[:LONGEST_ADDRESS].removeprefix(f"{OSC_ROOT}/")
+    first, _, rest = path.partition("/")
+    if first == "command":
+        return did_you_mean(rest, COMMANDS)
+    if _named(rest):
+        known = first in bodies
+        return "; it is for everybody" if known else f"; there are {', '.join(bodies)}{did_you_mean(first, bodies)}"
+    return did_you_mean(rest if first in bodies else path, [row.place.name for row in table()])
 
 
 def address_of(name: str, body: str = "") -> str:

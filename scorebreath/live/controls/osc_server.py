@@ -14,7 +14,7 @@ from types import TracebackType
 from typing import Self
 
 from scorebreath.errors import EnvironmentFailure, ScorebreathError
-from scorebreath.live.controls.addresses import ANSWERS, ERROR, hint
+from scorebreath.live.controls.addresses import ANSWERS, ERROR, NoAddressError, hint
 from scorebreath.live.controls.limits import Leave, Listeners, Sender
 from scorebreath.live.controls.osc_actions import Actions, Answer
 from scorebreath.live.controls.packets import Message, read_packet, write_bundles, write_message
@@ -197,19 +197,18 @@ class OscServer:
             answers = self._actions.do(message, sender, now)
         except ScorebreathError as error:
             self._report.refused += 1
-            return self._error(str(error), sender, message.address)
+            lost = isinstance(error, NoAddressError)
+            return self._error(str(error), sender, lambda: hint(message.address, self._desk.bodies) if lost else "")
         except Exception as error:  # a desk that fails must not take the other controls with it
             self._report.failed += 1
             return self._error(f"{message.address}: {type(error).__name__}: {error}", sender)
         self._report.applied += 1
         return [answer for answer in answers if self._may(self._answers, sender, len(answer.packets))]
 
-    def _error(self, text: str, sender: Sender, address: str = "") -> list[Answer]:
+    def _error(self, text: str, sender: Sender, more: Callable[[], str] = lambda: "") -> list[Answer]:
         if not self._may(self._errors, sender):
             return []
-        if text.endswith("there is no such address"):
-            text += hint(address)
-        packet = write_message(ERROR, " ".join(text.split())[:_LONGEST_ERROR])
+        packet = write_message(ERROR, " ".join(f"{text}{more()}".split())[:_LONGEST_ERROR])
         return [Answer(to=sender, packets=(packet,))]
 
     def _may(self, leave: Leave, sender: Sender, cost: int = 1) -> bool:
