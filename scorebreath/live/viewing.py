@@ -33,6 +33,8 @@ class Said:
 
     id: str
     text: str
+    onset: float
+    """s; of the utterance that sounds"""
     word: tuple[int, int] | None = None
     """half-open range of the text's code points that sound now; None: between words"""
 
@@ -94,12 +96,14 @@ def said_at(utterance: Utterance, group: Group | None, now: float) -> Said:
     """What is heard of an utterance at a time, s."""
     words = [word for word in utterance.words if 0.0 <= now - utterance.onset - word.onset < word.duration]
     if group is None:
-        return Said(id=utterance.id, text=" ".join(word.text for word in utterance.words))
+        return Said(
+            id=utterance.id, text=" ".join(word.text for word in utterance.words), onset=utterance.onset
+        )  # fmt: skip
     source = next((word.source for word in words if word.source is not None), None)
     start, length = group.source[0], len(group.text)
     place = None if source is None else (source[0] - start, source[1] - start)
     inside = place is not None and 0 <= place[0] < place[1] <= length
-    return Said(id=group.id, text=group.text, word=place if inside else None)
+    return Said(id=group.id, text=group.text, onset=utterance.onset, word=place if inside else None)
 
 
 def lungs_until(curves: CurveSet, now: float, samples: int) -> tuple[float, ...]:

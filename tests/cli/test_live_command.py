@@ -44,6 +44,8 @@ def performed(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_files_are_said_in_their_order_and_told(performed: Path) -> None:
     found = events((performed / "told.jsonl").read_bytes())
     assert [event["text"] for event in found if event["event"] == "group"] == ["Yes.", "Yes.", "No,", "no."]
+    said, _ = load(performed / "take")
+    assert [event["onset"] for event in found if event["event"] == "group"] == [e.onset for e in said.of(Utterance)]
     assert [found[0]["event"], found[-2]["event"], found[-1]["event"]] == ["started", "ended", "done"]
     assert (found[0]["engine"], found[0]["take"], found[0]["voice"]) == ("silent", "take", "tone")
     ended = found[-2]

@@ -11,7 +11,7 @@ from scorebreath.score.events import Command
 from scorebreath.score.files import load
 from tests.cli.performances import PATIENCE, program, told
 from tests.cli.running import ENVIRONMENT
-from tests.engine.jackd import jack_server, needs_jack
+from tests.jackd import jack_server, needs_jack
 
 pytestmark = needs_jack
 

@@ -185,7 +185,7 @@ def shown(draw_: st.DrawFn) -> Shown:
 
     text = draw_(TEXTS)
     ends = sorted((draw_(st.integers(0, len(text))), draw_(st.integers(0, len(text)))))
-    said = Said(id="g", text=text, word=(ends[0], ends[1])) if text and draw_(st.booleans()) else None
+    said = Said(id="g", text=text, onset=0.0, word=(ends[0], ends[1])) if text and draw_(st.booleans()) else None
     lungs = tuple(draw_(st.lists(st.floats(-0.5, 1.5), max_size=60)))
     bodies = [BodyView(body=f"body{n}", doing="rests", said=said, lungs=lungs) for n in range(draw_(st.integers(1, 3)))]
     line = draw_(TEXTS)
@@ -217,7 +217,7 @@ def test_a_picture_has_its_size_and_nothing_that_a_terminal_obeys(what: Shown, w
 
 def test_the_word_that_sounds_is_marked() -> None:
     body = BodyView(
-        body="body", doing="speaks", said=Said(id="g", text="Good evening, all.", word=(5, 12)), lungs=(0.5,)
+        body="body", doing="speaks", said=Said(id="g", text="Good evening, all.", onset=0.0, word=(5, 12)), lungs=(0.5,)
     )
     view = View(time=61.0, bodies=(body,), coming=("And then?",), paused=True, ending=False, over=None)
     from scorebreath.engine.live.status import Status
@@ -325,6 +325,7 @@ def test_what_is_said_without_a_group_is_its_words() -> None:
     group = stage.score().groups[0]
     word = utterance.words[1]  # type: ignore[attr-defined]
     now = utterance.onset + word.onset + word.duration / 2
-    assert said_at(utterance, group, now) == Said(id=group.id, text="Good evening.", word=(5, 12))  # type: ignore[arg-type]
+    said = Said(id=group.id, text="Good evening.", onset=utterance.onset, word=(5, 12))
+    assert said_at(utterance, group, now) == said  # type: ignore[arg-type]
     assert said_at(utterance, None, now).text == "Good evening"  # type: ignore[arg-type]
     assert said_at(utterance, group, -1.0).word is None  # type: ignore[arg-type]

@@ -32,8 +32,8 @@ from scorebreath.media.store import MemoryStore
 from scorebreath.score.events import Event
 from scorebreath.score.performing import Heard
 from scorebreath_synthdefs.catalogue import ALL, LOOK_AHEAD
-from tests.engine.jackd import jack_server, needs_jack
 from tests.engine.sounding import babble, inspiration, noise, score, utterance
+from tests.jackd import jack_server, needs_jack
 
 PATIENCE = 30.0
 STORE = MemoryStore()

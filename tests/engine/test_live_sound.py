@@ -16,9 +16,9 @@ from scorebreath.engine.live.orders import Mix
 from scorebreath.engine.onsets import onsets
 from scorebreath.media.store import MemoryStore
 from scorebreath.score.performing import Heard
-from tests.engine.jackd import RATE, jack_server
 from tests.engine.listening import Signal
 from tests.engine.sounding import babble, score, utterance
+from tests.jackd import RATE, jack_server
 
 pytestmark = [
     pytest.mark.jack,

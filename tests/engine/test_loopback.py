@@ -9,7 +9,7 @@ import pytest
 
 from scorebreath.engine.live.backend import Device
 from scorebreath.engine.loopback import _judged, measure
-from tests.engine.jackd import RATE, connect, jack_server
+from tests.jackd import RATE, connect, jack_server
 
 PERIOD = 256
 without_jack = shutil.which("jackd") is None or shutil.which("scsynth") is None

@@ -14,8 +14,8 @@ from scorebreath.live.controls.mapping import FIRST_NOTE, default_mapping
 from scorebreath.live.controls.midi import MidiServer
 from scorebreath.live.controls.rtmidi_driver import port_names
 from scorebreath.live.desk import COMMANDS
+from tests.jackd import Jack, end, jack_server
 from tests.live.desks import ToyDesk
-from tests.live.jack import Jack, end, jack_server
 
 rtmidi = pytest.importorskip("rtmidi", reason="python-rtmidi is not installed")
 pytestmark = pytest.mark.jack

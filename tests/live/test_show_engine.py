@@ -16,7 +16,7 @@ from scorebreath.engine.live.process import StartedBackend
 from scorebreath.live.show import Setting, Show
 from scorebreath.score.events import Inspiration
 from scorebreath.score.take import read_take
-from tests.engine.jackd import jack_server
+from tests.jackd import jack_server
 
 PATIENCE = 90.0
 

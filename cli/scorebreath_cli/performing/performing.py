@@ -164,7 +164,7 @@ class Performing:
             if said is not None and self._told.get(body.body) != said.id:
                 self._told[body.body] = said.id
                 text = " ".join(said.text.split())
-                self._teller.tell("group", text, body=body.body, id=said.id, text=text, time=round(seen.time, 3))
+                self._teller.tell("group", text, body=body.body, id=said.id, text=text, onset=said.onset)
 
     def _draw(self, width: int, height: int, unicode: bool) -> Sequence[Text]:
         from scorebreath_cli.performing.drawing import KEYS, LUNGS, WATCHING, Shown, draw

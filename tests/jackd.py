@@ -13,6 +13,14 @@ from dataclasses import dataclass
 
 import pytest
 
+RATE = 48000
+needs_jack = [
+    pytest.mark.jack,
+    pytest.mark.scsynth,
+    pytest.mark.skipif(
+        shutil.which("jackd") is None or shutil.which("scsynth") is None, reason="needs jackd and scsynth"
+    ),
+]
 _NUMBERS = itertools.count()
 TURNS = 15
 """Times that a server is begun."""
@@ -31,17 +39,18 @@ class Jack:
 
 
 @contextmanager
-def jack_server(rate: int = 48000, period: int = 256) -> Iterator[Jack]:
+def jack_server(*, synchronous: bool = True) -> Iterator[Jack]:
     """Start `jackd` with the dummy driver, wait until it takes clients, and end it behind.
 
-    The environment of this process points to it meanwhile. Skips the test where there is no `jackd`.
+    The environment of this process points to it meanwhile. Skips the test where there is no `jackd`. A synchronous
+    server waits five seconds for a client that was killed, and so does whoever comes next.
     """
     if not shutil.which("jackd"):
         pytest.skip("jackd is not installed")
     name = f"sbt-{os.getpid()}-{next(_NUMBERS)}"  # short: with 24 characters, JACK 1.9.21 clients overrun their memory
     env = {"JACK_DEFAULT_SERVER": name, "JACK_NO_START_SERVER": "1", "JACK_NO_AUDIO_RESERVATION": "1"}
     before = {key: os.environ.get(key) for key in env}
-    command = ["jackd", "-r", "-S", "-n", name, "-d", "dummy", "-r", str(rate), "-p", str(period)]
+    command = ["jackd", "-r", *(["-S"] if synchronous else []), "-n", name, "-d", "dummy", "-r", str(RATE), "-p", "256"]
     os.environ.update(env)
     process = _begun(command, name)
     try:
@@ -66,10 +75,17 @@ def end(process: subprocess.Popen[bytes]) -> None:
             process.wait()
 
 
+def connect(source: str, target: str) -> None:
+    """Connect two ports of the server that is in use."""
+    subprocess.run(["jack_connect", source, target], capture_output=True, timeout=10, check=True)
+
+
 def _begun(command: list[str], name: str) -> subprocess.Popen[bytes]:
     """A server that takes clients. A machine holds a few of them only: where others run, it waits for its turn."""
     for _ in range(TURNS):
-        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        process = subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
         if _await(process, name):
             return process
         end(process)
