@@ -187,6 +187,16 @@ def idle(text: str, place: int) -> bool:
     return possible(near[:place]) and any(span.start < place < span.end for span in spans(near))
 
 
+def whole(text: str, place: int, start: int) -> int:
+    """A place, or where the emoticon begins in whose midst it is; one half of it would not be known again.
+
+    >>> whole("so o_O then", 5, 0), whole("so o_O then", 7, 0)
+    (3, 7)
+    """
+    near = spans(text, max(start, place - LONGEST), min(len(text), place + LONGEST))
+    return next((span.start for span in near if span.start < place < span.end), place)
+
+
 def unfinished(text: str, place: int) -> bool:
     """Whether the letter at a place may turn out to begin an emoticon when more text has come.
 

@@ -58,6 +58,7 @@ class Gatherer:
                     at=at, written=shortened(sign.span.cut(whole), LONGEST), name=sign.name, intensity=sign.intensity
                 )
             )
+        self.done = max(self.done, until or 0)  # what meant nothing is not asked again, with less before it
         return marks
 
 

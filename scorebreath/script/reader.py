@@ -42,8 +42,7 @@ LONGEST = 4000
 
 DEFAULT_LANGUAGE = "en"
 
-_SPACE = re.compile("[ n]")
-_LETTER = re.compile(r"[adk]")
+_SPACE, _LETTER = re.compile("[ n]"), re.compile("[adk]")
 _BREAK = re.compile(r"n *n|f")
 _LEAD = re.compile(r"(?:(?<![^ n])S )?[^ nfF]{0,16}$")
 _LEADING_SYMBOLS = "§&"
@@ -150,6 +149,7 @@ class Reader:
             self._text, self._kinds = self._text[drop:], self._kinds[drop:]
             self._base += drop
             self._at -= drop
+            self._ends = [end - drop for end in self._ends]
         place = self._base + len(self._text)
         self._text += piece
         self._kinds += self._apart(kinds_of(piece), place)
@@ -184,8 +184,10 @@ class Reader:
         """Go through the gap up to the next sentence's start; whether it was found."""
         limit, found = self._first_letter()
         first = limit if found else None
-        start = limit if self._over and first is None else max(self._at, limit - _KEPT)
-        if first is not None:
+        start = max(self._at, limit - _KEPT)
+        if first is None:
+            start = limit if self._over else emoticons.whole(self._text, start, self._at)
+        else:
             lead = _LEAD.search(self._kinds, start, first)
             start = lead.start() if lead else first
             if self._kinds[start : start + 2] == "S " and self._text[start] not in _LEADING_SYMBOLS:
@@ -201,13 +203,11 @@ class Reader:
         return first is not None
 
     def _first_letter(self) -> tuple[int, bool]:
-        """The next letter or digit that is no part of an emoticon, and whether there is one beyond doubt.
-
-        What follows a heart may show that it is none: until that is known, its figure is only where one may be.
-        """
+        """The next letter or digit that is no part of an emoticon, and whether there is one beyond doubt."""
         for match in _LETTER.finditer(self._kinds, self._at):
             place = match.start()
             behind = self._text[max(self._at, place - emoticons.LONGEST) : place]
+            # what follows a heart may show that it is none
             heart = len(self._text) - place < _KEPT and "<" in behind
             if not self._over and (heart or emoticons.unfinished(self._text, place)):
                 return place, False

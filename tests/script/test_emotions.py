@@ -346,6 +346,9 @@ def fed(pieces: Sequence[str]) -> list[Sentence]:
 @example("Hi. 😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀😀Hello", [])
 @example("Wait. <3 days", [7])
 @example(": - (D:“", [])
+@example("o_O“““://\n\n: - (: - (: - (", [])
+@example("XD days ?_ <e\n\n”(:P;)", [])
+@example(":OD::-)\u200d3“days:<3://`://D: - (late“o_O Hellodays!o_OD-:👍🏽</3”so?\nH", [])
 @example("Well D:x Well D: x", [])
 @settings(max_examples=400, deadline=None)
 def test_any_cutting_gives_the_same_marks(text: str, cuts: list[int]) -> None:
