@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 
 from scorebreath.ensemble import Performer
 from scorebreath.errors import InputError, did_you_mean, shortened
 from scorebreath.live import orders
-from scorebreath.live.desk import COMMANDS, Change, Setting
+from scorebreath.live.desk import COMMANDS, Change, OverError, Setting
 from scorebreath.live.moving import move, moved
 from scorebreath.live.performance import Performance
 from scorebreath.live.text import Text
@@ -40,6 +40,11 @@ class Console:
         self._performance, self._wake, self._markup = performance, wake, markup
         self._streams: dict[str, Text] = {}
         self._listeners: list[Change] = []
+        self._closed = False
+
+    def close(self) -> None:
+        """Take nothing more."""
+        self._closed = True
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -78,14 +83,14 @@ class Console:
         """What was streamed is complete."""
         text = self._streams.pop(self._voice(body), None)
         if text is not None:
-            self._tell(lambda performance: performance.supply.go_on(text, None, performance.now))
+            self._tell(lambda performance: performance.supply.go_on(text, None, performance.now), opens=False)
 
     def command(self, name: str, *, body: str = "") -> None:
         """One of `COMMANDS`."""
         if name not in COMMANDS:
             raise InputError(
-                f"no command is called {shortened(name, 40)!r} (there are {', '.join(COMMANDS)})"
-                f"{did_you_mean(name, COMMANDS)}"
+                f"no command is called {shortened(str(name), 40)!r} (there are {', '.join(COMMANDS)})"
+                f"{did_you_mean(str(name), COMMANDS)}"
             )
         self._voice(body)
         open_texts = list(self._streams.values()) if name == "end" else []
@@ -95,6 +100,7 @@ class Console:
         def carry_out(performance: Performance) -> None:
             for text in open_texts:
                 performance.supply.go_on(text, None, performance.now)
+            before = _values(performance) if name == "reset" else {}
             for who in _who(performance, body, name):
                 _write(performance, who, name)
                 if name in orders.ACTS:
@@ -102,9 +108,10 @@ class Console:
                 else:
                     orders.ORDERS[name](performance, who)
             if name == "reset":
-                self._changed(performance, body, list(Parameters.model_fields))
+                after = _values(performance)
+                self._changed(one for one, value in after.items() if before.get(one) != value)
 
-        self._tell(carry_out)
+        self._tell(carry_out, opens=name not in ("end", "reset"))
 
     def set(self, name: str, value: Setting | None, *, body: str = "", glide: float | None = None) -> None:
         """Move a parameter; None resets it."""
@@ -114,8 +121,8 @@ class Console:
         Parameters(**({} if value is None else {name: value}))
         if name not in Parameters.model_fields:
             Parameters(**{name: 0.0})  # raises, and says what may be meant
-        if glide is not None and not 0.0 <= glide <= 60.0:
-            raise InputError(f"glide={glide:g} must be in [0, 60] s")
+        if glide is not None and not (isinstance(glide, int | float) and 0.0 <= glide <= 60.0):
+            raise InputError(f"glide={glide} must be in [0, 60] s")
 
         for who in _who(self._performance, body, ""):
             moved(who.state.parameters, {name: value})
@@ -123,9 +130,9 @@ class Console:
         def carry_out(performance: Performance) -> None:
             for who in _who(performance, body, ""):
                 move(performance, who, {name: value}, glide)
-            self._changed(performance, body, [name])
+            self._changed((who.state.body, name) for who in _who(performance, body, ""))
 
-        self._tell(carry_out)
+        self._tell(carry_out, opens=False)
 
     def values(self, body: str = "") -> Mapping[str, Setting]:
         """The value in force of every parameter."""
@@ -142,20 +149,36 @@ class Console:
 
         return no_more
 
-    def _changed(self, performance: Performance, body: str, names: list[str]) -> None:
-        if not self._listeners:
-            return
-        for who in _who(performance, body, ""):
-            values = in_force(who.state.parameters)
-            for name in names:
-                if name in values:
-                    for listener in tuple(self._listeners):
-                        listener(who.state.body, name, values[name])
+    def _changed(self, places: Iterable[tuple[str, str]]) -> None:
+        """Parameters of bodies were moved: tell those who listen."""
+        values = _values(self._performance) if self._listeners else {}
+        for place in places:
+            for listener in tuple(self._listeners):
+                listener(*place, values[place])
 
-    def _tell(self, order: Callable[[Performance], None]) -> None:
+    def _tell(self, order: Callable[[Performance], None], *, opens: bool = True) -> None:
+        """Have an order carried out when it is its turn.
+
+        Args:
+            order: What to do.
+            opens: Whether there is more to come, though the end was decided.
+
+        Raises:
+            InputError: Too many wait, or all is over.
+        """
+        if self._closed or self._performance.is_over:
+            raise OverError
         if len(self._performance.inbox) >= MOST_WAITING:
             raise InputError(f"{MOST_WAITING} orders wait to be carried out; no more are taken")
-        self._performance.inbox.append(order)
+
+        def in_turn(performance: Performance) -> None:
+            if opens:
+                performance.go_on()
+            elif performance.is_over:
+                raise OverError
+            order(performance)
+
+        self._performance.inbox.append(in_turn)
         self._wake()
 
     def _voice(self, body: str) -> str:
@@ -164,6 +187,8 @@ class Console:
         Raises:
             InputError: There is no such body.
         """
+        if not isinstance(body, str):
+            raise InputError(f"{body!r} is no body; expected the id of one")
         performers = self._performance.company.ensemble.performers
         found = next((voice for voice, who in list(performers.items()) if body in ("", who.state.body)), None)
         if found is None:
@@ -184,6 +209,16 @@ def _who(performance: Performance, body: str, command: str) -> tuple[Performer, 
     if command in ("stop", "take") or command in orders.ACTS:
         return (performance.speaker,) if command != "take" else everybody[:1]
     return everybody
+
+
+def _values(performance: Performance) -> dict[tuple[str, str], Setting]:
+    """Of every body and parameter the value in force."""
+    everybody = performance.company.performers
+    return {
+        (who.state.body, name): value
+        for who in everybody
+        for name, value in in_force(who.state.parameters).items()
+    }  # fmt: skip
 
 
 def _write(performance: Performance, who: Performer, name: str) -> None:
@@ -209,6 +244,8 @@ def _clean(text: str) -> str:
     Raises:
         InputError: It is too long, or no text.
     """
+    if not isinstance(text, str):
+        raise InputError(f"{shortened(repr(text), 40)} is no text; expected a str")
     if len(text) > LONGEST_TEXT:
         raise InputError(f"a text of {len(text)} characters; at most {LONGEST_TEXT} are taken at once")
     try:

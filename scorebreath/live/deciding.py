@@ -97,11 +97,12 @@ class Decisions:
                 self.made[body] = made
                 sounds = heard(made, self._parameters(body))
                 if self.heard.setdefault(body, AS_MADE) != sounds:
+                    begins = snap(max(onset, self._clock(), self.moved.get(body, 0.0)))
                     self.decide(
                         [
                             Parameter(
-                                id=f"{body}.as_made", body=body, onset=snap(max(onset, self._clock(), 0.0)),
-                                duration=0.0, rule="what begins is made otherwise", name="", heard=sounds,
+                                id=f"{body}.as_made", body=body, onset=begins, duration=0.0,
+                                rule="what begins is made otherwise", name="", heard=sounds,
                             )
                         ]
                     )  # fmt: skip

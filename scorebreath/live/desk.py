@@ -7,10 +7,22 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal, Protocol
 
+from scorebreath.errors import InputError
+
 Setting = float | str | bool
 """Value of a parameter."""
 Change = Callable[[str, str, Setting], None]
 """Told of every parameter that was moved, whoever moved it: body, name, value in force."""
+
+
+class OverError(InputError):
+    """The end is decided: nothing more is said, and nothing more moves."""
+
+    def __init__(self) -> None:
+        """Say so."""
+        super().__init__("the end is decided, and nothing more is taken")
+
+
 Does = Literal["acts", "flow", "whole"]
 
 

@@ -136,6 +136,15 @@ class Ledger:
         if self._take:
             self._take.over(time)
 
+    def go_on(self) -> None:
+        """It is not over then."""
+        with self._lock:
+            self.over = None
+            self._version += 1
+            self._curves.clear()
+        if self._take:
+            self._take.over(None)
+
     def near(self, body: str) -> list[Event]:
         """A body's events that are not long over."""
         return list(self._near[body])

@@ -123,10 +123,12 @@ def take(performance: Performance, who: Performer) -> None:
 def panic(performance: Performance, who: Performer) -> None:
     """Silence at once, of everybody."""
     clear(performance, who)
-    at = snap(performance.now + max(0.0, performance.timing.curve_lead) + AT_ONCE)
+    at = snap(max(0.0, performance.now + max(0.0, performance.timing.curve_lead) + AT_ONCE))
     performance.decisions.sounder.panic()
     for each in performance.company.performers:
-        interrupt(performance, each, max(at, 0.0), fade=AT_ONCE)
+        interrupt(performance, each, at, fade=AT_ONCE)
+    performance.company.ensemble.clock = at
+    for each in performance.company.performers:
         perform(performance, each, "pause", "panic", seconds=performance.timing.reaction)
     performance.paused = False
 

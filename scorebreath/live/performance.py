@@ -21,6 +21,7 @@ from scorebreath.live.backstage import Backstage
 from scorebreath.live.company import Company, Turn
 from scorebreath.live.conditions import Sounder, Timing, Told
 from scorebreath.live.deciding import Decisions
+from scorebreath.live.desk import OverError
 from scorebreath.live.interrupting import interrupt
 from scorebreath.live.ledger import Ledger
 from scorebreath.live.preparing import Prepared
@@ -103,6 +104,7 @@ class Performance:
         self.acts = 0
         """commands that were acts"""
         self._tail = tail
+        self._closing = 0.0  # s; when the last word was over, once the end is decided
         self._next: Turn | None = None
         self._late: float | None = None
         self._planning: float | None = None
@@ -124,11 +126,9 @@ class Performance:
         self.now = now
         while self.inbox:
             order = self.inbox.popleft()
-            if self.over is not None:  # what comes once the end is decided comes too late
-                continue
             try:
                 order(self)
-            except InputError as error:  # what two moves together make is known only now
+            except InputError as error:  # what two moves together make, for one, is known only now
                 self.tell(f"refused: {error}")
         if self._planning is not None and now >= self._planning:
             self.plan_again(keep=1 if self.supply.ready and self.due - now < NEAR else 0)
@@ -304,11 +304,34 @@ class Performance:
             self._finish()
         return False
 
+    @property
+    def is_over(self) -> bool:
+        """Whether nothing that is told now can happen before all is over."""
+        return self.over is not None and self.now + self.timing.reaction >= self.over
+
+    def go_on(self) -> None:
+        """There is more, though the end was decided: what was placed behind the last word gives way.
+
+        Raises:
+            OverError: It comes too late.
+        """
+        if self.is_over:
+            raise OverError
+        if self.over is None:
+            return
+        at = snap(max(self._closing, self.now + self.timing.reaction))
+        self.over = None
+        self.ledger.go_on()
+        for who in self.company.performers:
+            interrupt(self, who, at, fade=FADE, rule=GIVES_WAY)
+        self.company.ensemble.clock = at
+
     def _finish(self) -> None:
         """Everybody comes to rest, and all is over."""
         for who in self.company.performers:
             if who.state.body in self.resting:
                 interrupt(self, who, snap(max(self.line, self.now + self.timing.reaction)), fade=FADE, rule=GIVES_WAY)
+        self._closing = self.line
         over = self.company.ensemble.finish(self._tail)
         self.decisions.decide(self.company.drain())
         self.over = over

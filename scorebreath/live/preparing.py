@@ -65,8 +65,9 @@ class Preparer:
         self.speaking = True
         try:
             parts = self._speak(group, self._voices(group.voice), self._parameters(group.voice))
-        except ScorebreathError as error:
-            said = str(error).splitlines()[0]
+        except Exception as error:  # whatever a voice does, the others and the breath go on
+            said = f"{error}" if isinstance(error, ScorebreathError) else f"{type(error).__name__}: {error}"
+            said = said.partition("\n")[0]
             return Prepared(group=group, parts=(), media={}, generation=generation, problem=said)
         finally:
             self.speaking = False

@@ -202,6 +202,7 @@ class Show:
 
     def close(self) -> None:
         """End now, wherever it is."""
+        self.desk.close()
         with self._woken:
             self._closed = True
             self._woken.notify()

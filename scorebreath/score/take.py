@@ -79,8 +79,8 @@ class TakeWriter:
         """Samples were put into the take's media."""
         self._write({"media": {name: dataclasses.asdict(info)}})
 
-    def over(self, time: float) -> None:
-        """All is over then, s."""
+    def over(self, time: float | None) -> None:
+        """All is over then, s; None: it was said, and is not so."""
         self._write({"duration": time})
 
     def event(self, event: Event) -> None:
@@ -156,8 +156,8 @@ def read_take(folder: Path) -> Score:
             groups.append(item["group"])
         elif "body" in item:
             bodies.append(item["body"])
-        elif type(item.get("duration")) in (int, float):
-            over = float(item["duration"])
+        elif type(item.get("duration")) in (int, float) or item == {"duration": None}:
+            over = None if item["duration"] is None else float(item["duration"])
         else:
             raise ScoreError(f"{path}:{number}: expected text, media, a body, a group, an event or the duration")
     plain = {**header, "schema": SCHEMA, "bodies": bodies, "text": "".join(text), "media": media, "groups": groups}

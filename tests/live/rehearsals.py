@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 
 from scorebreath.curves.curve_set import curves
 from scorebreath.live.console import Console
-from scorebreath.live.desk import COMMANDS, Setting
+from scorebreath.live.desk import COMMANDS, OverError, Setting
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.cutting import end_of, endings
 from scorebreath.score.document import Score
@@ -99,6 +100,7 @@ def rehearse(
     found = Rehearsal(stage)
     times = sorted(chance.uniform(0.0, length) for _ in range(orders))
     desk.say(FEELING if two else TEXT[:600])
+    late = list(range(8))
 
     def each() -> None:
         while times and stage.now >= times[0]:
@@ -107,6 +109,10 @@ def rehearse(
         if not times and not stage.performance.ending:
             desk.end_stream()
             desk.command("end")
+        if late and stage.performance.over is not None and chance.random() < 0.2:
+            late.pop()
+            with suppress(OverError):
+                found.log.append((stage.now, afterwards(desk, chance)))
         if chance.random() < 0.2:
             look = stage.now + np.array([-1.0, -0.3, 0.0])
             look = look[look >= -0.3]
@@ -115,6 +121,19 @@ def rehearse(
 
     stage.go(5_000.0, each)
     return found
+
+
+def afterwards(desk: Console, chance: random.Random) -> str:
+    """Something that is told when the end is decided."""
+    body = chance.choice(["", *desk.bodies])
+    name = chance.choice(["say", "cut", "nose_share", "sigh", "stop", "panic", "take", "repeat", "breathe", "reset"])
+    if name in ("say", "cut"):
+        desk.say(chance.choice(["One thing more.", FEELING[:120]]), body=body, cut_in=name == "cut")
+    elif name == "nose_share":
+        desk.set(name, 0.4, body=body)
+    else:
+        desk.command(name, body=body)
+    return f"{name} afterwards"
 
 
 def order(desk: Console, chance: random.Random, *, feeling: bool) -> str:

@@ -11,7 +11,7 @@ import pytest
 from scorebreath.curves.curve_set import curves
 from scorebreath.errors import InputError, ParameterError
 from scorebreath.live.console import Console
-from scorebreath.live.desk import COMMANDS, Setting
+from scorebreath.live.desk import COMMANDS, OverError, Setting
 from scorebreath.live.orders import ACTS, ORDERS
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.cutting import end_of, endings
@@ -177,6 +177,15 @@ def test_panic_is_silence_at_once(stage: Stage, desk: Console) -> None:
     cut = next(event for event in begun(stage, Cut, now) if any("speech" in target for target in event.targets))
     assert cut.onset - now < 0.04
     assert words(stage)[-2:] == ["And", "now"]
+
+
+def test_whoever_speaks_after_a_panic_begins_at_once(stage: Stage, desk: Console) -> None:
+    now = midway(stage)
+    desk.command("panic")
+    stage.go(now + 0.2)
+    desk.say("Again.")
+    finish(stage, desk)
+    assert begun(stage, Utterance, now)[0].onset < now + 2.0
 
 
 def test_reset_brings_back_what_it_began_with() -> None:
@@ -423,14 +432,66 @@ def test_a_held_breath_holds_the_volume(stage: Stage) -> None:
     assert float(volume[0]) == pytest.approx(float(volume[1]), abs=1e-6) == pytest.approx(held.volume, abs=1e-6)
 
 
-def test_what_comes_once_the_end_is_decided_comes_too_late(stage: Stage, desk: Console) -> None:
+def decided(stage: Stage, desk: Console) -> float:
+    """Let it come to where the end is decided while the last words are still to be heard; when it would be."""
     desk.command("end")
     while stage.performance.over is None:
         stage.go(stage.now + 0.1)
-    before = stage.score()
-    for name in COMMANDS:
-        desk.command(name)
+    assert stage.now < stage.performance.over - 2.0
+    return stage.performance.over
+
+
+def test_what_comes_when_the_end_is_decided_is_said_all_the_same(stage: Stage, desk: Console) -> None:
+    over = decided(stage, desk)
     desk.say("One more thing.")
+    finish(stage, desk)
+    assert words(stage) == [*re.findall(r"\w+", SAYING), "One", "more", "thing"]
+    assert stage.performance.over is not None and stage.performance.over > over
+    assert stage.score().duration == stage.performance.over
+    assert stage.performance.decisions.counts.late == 0
+
+
+@pytest.mark.parametrize("name", ["panic", "stop"])
+def test_speech_can_be_stopped_when_the_end_is_decided(name: str, stage: Stage, desk: Console) -> None:
+    over = decided(stage, desk)
+    said = begun(stage, Utterance)[-1]
+    stage.go(said.onset + 0.5)
+    desk.command(name)
+    stage.go(1000.0)
+    assert stage.over and stage.performance.over is not None and stage.performance.over < over
+    assert end_of(said, endings(stage.score().events)) < said.onset + 1.0
+
+
+def test_a_move_when_the_end_is_decided_is_heard_and_leaves_the_end(stage: Stage, desk: Console) -> None:
+    over = decided(stage, desk)
     desk.set("nose_share", 0.3)
     stage.go(1000.0)
+    assert any(event.name == "nose_share" for event in stage.score().of(Parameter))
+    assert stage.performance.over == over
+
+
+def test_what_comes_when_all_is_over_is_refused(stage: Stage, desk: Console) -> None:
+    decided(stage, desk)
+    stage.go(1000.0)
+    before = stage.score()
+    for name in COMMANDS:
+        with pytest.raises(OverError):
+            desk.command(name)
+    with pytest.raises(OverError, match="nothing more is taken"):
+        desk.say("One more thing.")
+    with pytest.raises(OverError):
+        desk.stream("One more thing.")
+    with pytest.raises(OverError):
+        desk.set("nose_share", 0.3)
+    stage.go(1010.0)
     assert stage.over and stage.score() == before
+
+
+def test_what_is_told_just_before_the_end_and_comes_too_late_is_told(stage: Stage, desk: Console) -> None:
+    over = decided(stage, desk)
+    stage.go(over - stage.performance.timing.reaction - 0.01)
+    desk.say("One more thing.")
+    stage.go(over + 1.0)  # it is looked at when the time to do it is over
+    assert stage.over
+    said = words(stage)[-3:] == ["One", "more", "thing"]
+    assert said != any("nothing more is taken" in line for line in stage.told)

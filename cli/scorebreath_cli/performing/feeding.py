@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from scorebreath.errors import InputError
+from scorebreath.live.desk import OverError
 
 if TYPE_CHECKING:
     from scorebreath.live.desk import Desk
@@ -122,5 +123,7 @@ class Feeder:
             try:
                 desk.stream(piece)
                 return
+            except OverError:
+                raise
             except InputError:  # too many orders wait
                 self._over.wait(FULL)

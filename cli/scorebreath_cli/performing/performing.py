@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from types import FrameType, TracebackType
 from typing import TYPE_CHECKING, Any, Self
 
 from scorebreath.errors import ScorebreathError
+from scorebreath.live.desk import OverError
 from scorebreath.live.viewing import view
 from scorebreath_cli.performing.keys import Keyboard
 from scorebreath_cli.performing.line import Line
@@ -108,8 +109,7 @@ class Performing:
                 if interrupts.count and not self._stopped:
                     self._stop()
                 if self._feeder.done and not self._stay and not self._ended:
-                    self._ended = True
-                    desk.command("end")
+                    self._end()
                 if self._groups:
                     self._tell_groups()
                 self._teller.drain()
@@ -122,13 +122,18 @@ class Performing:
         self._stopped = True
         self._feeder.stop()
         desk = self._stage.show.desk
-        if self._stage.show.performance.over is None:
+        with suppress(OverError):
             desk.end_stream()
             desk.command("stop")
             self._teller.note("stopping; Ctrl-C again ends at once")
         if not self._ended:
-            self._ended = True
-            desk.command("end")
+            self._end()
+
+    def _end(self) -> None:
+        """When all is said, all is over."""
+        self._ended = True
+        with suppress(OverError):
+            self._stage.show.desk.command("end")
 
     def _press(self, key: str, interrupts: Interrupts) -> None:
         if key == "interrupt":

@@ -69,6 +69,7 @@ class Conductor:
         lookahead: Seconds before its time that a bundle is sent.
         journal: Told of every bundle.
         dropped: Told of sounds whose buffer is no longer needed.
+        lost: Told of sounds that are never heard, or not to their end.
     """
 
     def __init__(
@@ -82,6 +83,7 @@ class Conductor:
         lookahead: float,
         journal: Journal | None = None,
         dropped: Callable[[Played], None] = lambda _: None,
+        lost: Callable[[Onset], None] = lambda _: None,
     ) -> None:
         """Begin with nothing to do."""
         self.clock, self.layout, self.mix, self.lookahead = clock, layout, mix, lookahead
@@ -90,6 +92,7 @@ class Conductor:
         self.tally = Tally()
         self.ratios = Ratios()
         self._send, self._now, self._journal, self._dropped = send, now, journal, dropped
+        self._lost = lost
         self._heap: list[_Item] = []
         self._order, self._nodes = itertools.count(), itertools.count()
         self._noises = 0
@@ -203,7 +206,7 @@ class Conductor:
             if played.sound.time > now:
                 self._at(played.sound.time - self.lookahead, _again(self._begin, played), played)
             elif played.sound.end > now:
-                self.tally.lost += 1
+                self._lose(played.sound)
 
     def engine_began(self, layout: Layout, sample_rate: int) -> None:
         """There is an engine without anything of ours: set the stage again, with ratios as they are."""
@@ -229,7 +232,7 @@ class Conductor:
         earliest = now + MARGIN
         useful = sound.time >= earliest - _GRAIN or (sound.instrument == SPEECH and sound.end > earliest)
         if not self.alive or not useful:
-            self.tally.lost += 1
+            self._lose(sound)
             self._leave(played)
             return
         late = max(0.0, earliest - sound.time)
@@ -298,6 +301,10 @@ class Conductor:
             self._at(over, lambda now: self._is_over(played, now))
         else:
             self._leave(played)
+
+    def _lose(self, sound: Onset) -> None:
+        self.tally.lost += 1
+        self._lost(sound)
 
     def _leave(self, played: Played) -> None:
         """It is over, or never will be."""

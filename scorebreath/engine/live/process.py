@@ -27,6 +27,8 @@ BOOT = 20.0
 """s that an engine may take to answer."""
 SHARED = "/dev/shm/SuperColliderServer_{port}"
 """Where Linux has what an engine shares with other programs."""
+CLIENT = "scorebreath"
+"""What an engine of ours is called in JACK, if it is told where to go."""
 _LATE = re.compile(r"^late\s+(\d+(?:\.\d*)?)")
 _NOT_FOUND = "matching device NOT found"
 _OPTION = re.compile(r"^- (?P<name>\S+ : .+)$")
@@ -116,7 +118,13 @@ class StartedBackend(Linked):
         ]  # fmt: skip
         if device.sample_rate:
             flags += ["-S", str(device.sample_rate)]
-        return [*flags, "-H", device.name] if device.name else flags
+        return [*flags, "-H", self._device_name()] if device.name else flags
+
+    def _device_name(self) -> str:
+        """As scsynth's `-H` takes it: where that is JACK, a word alone would be a client's name and not a server's."""
+        name = self.device.name
+        jack = sys.platform == "linux" and self.engine.name == "scsynth"
+        return f"{name}:{CLIENT}" if jack and ":" not in name else name
 
     def _read(self, process: subprocess.Popen[str]) -> None:
         assert process.stdout is not None

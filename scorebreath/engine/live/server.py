@@ -25,7 +25,7 @@ from scorebreath.engine.osc import bundle, message
 from scorebreath.errors import EngineError, EnvironmentFailure, InputError, ScorebreathError
 from scorebreath.media.store import MediaStore
 from scorebreath.score.performing import Heard
-from scorebreath_synthdefs.catalogue import LOOK_AHEAD, MOVER, PLACE, master_name
+from scorebreath_synthdefs.catalogue import LOOK_AHEAD, MOVER, PLACE, SPEECH, master_name
 
 LOAD = 5.0
 """s that an engine may take to load something."""
@@ -81,7 +81,7 @@ class LiveServer:
             self._conductor = Conductor(
                 clock=LiveClock(start=now(), sample_rate=self._rate),
                 layout=backend.layout, mix=self.mix, send=self._send, now=now, lookahead=lookahead, journal=journal,
-                dropped=self._drop,
+                dropped=self._drop, lost=self._speech_lost,
             )  # fmt: skip
             self._teach(self._known)
             self._conductor.engine_began(backend.layout, self._rate)
@@ -286,6 +286,12 @@ class LiveServer:
         if not self._backend.done(message("/sync", number), "/synced", (number,), LOAD):
             raise EngineError(f"the {self._backend.name} engine does not take its instruments")
         self._known |= set(names)
+
+    def _speech_lost(self, sound: Onset) -> None:
+        """Words that are not heard are worth a message; breaths are only counted."""
+        if sound.instrument == SPEECH:
+            why = "it came too late" if self._conductor.alive else "the engine is away"
+            self._told(f"a sound of {sound.event!r} is lost: {why}")
 
     def _lose(self, what: str) -> None:
         with self._lock:
