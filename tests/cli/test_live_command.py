@@ -242,6 +242,8 @@ WRONG: dict[str, tuple[list[str], int, str]] = {
     "osc port": (["--osc", "65536"], 2, "65536"),
     "osc and none": (["--osc", "9001", "--no-osc"], 2, "contradict"),
     "map without midi": (["--midi-map", "x.toml"], 2, "--midi PORT"),
+    "midi system": (["--midi", "own", "--midi-api", "bluetooth"], 2, "expected alsa, jack"),
+    "midi system without midi": (["--midi-api", "jack"], 2, "--midi PORT"),
     "map that is not there": (["--midi", "own", "--midi-map", "missing.toml"], 2, "missing.toml"),
     "voice": (["--voice", "nobody"], 2, "nobody"),
     "model": (["--model", "freestyle"], 2, "freestyle"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -404,8 +405,6 @@ def test_names_of_ports() -> None:
 
 
 def test_without_rtmidi_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    import sys
-
     for module in [name for name in sys.modules if name.startswith("mido.backends.rtmidi")]:
         monkeypatch.delitem(sys.modules, module)
     monkeypatch.setitem(sys.modules, "rtmidi", None)
@@ -415,8 +414,10 @@ def test_without_rtmidi_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> N
 
 def test_an_api_that_is_none() -> None:
     pytest.importorskip("rtmidi", reason="python-rtmidi is not installed")
-    with pytest.raises(EnvironmentFailure, match="'NONE'"):
-        RtMidi("NONE")
+    with pytest.raises(InputError, match="'none'; expected alsa, jack"):
+        RtMidi("none")
+    with pytest.raises(EnvironmentFailure, match="has no windows"):
+        RtMidi("windows" if sys.platform != "win32" else "alsa")
 
 
 def test_values_out_of_a_knob_s_part_stay_until_it_is_met() -> None:

@@ -41,6 +41,7 @@ def live(
     midi: p.Midi = None,
     midi_out: p.MidiOut = None,
     midi_map: p.MidiMap = None,
+    midi_api: p.MidiApi = None,
     screen: p.Screen = None,
     voice: o.Voice = None,
     model: o.Model = None,
@@ -91,7 +92,9 @@ def live(
         wishes = Wishes(
             engine=sound,
             streams=StreamOptions(targets=tuple(to or ()), rate=curve_rate, lead=curve_lead),
-            controls=ControlOptions(osc=osc, no_osc=no_osc, midi=midi, midi_out=midi_out, midi_map=midi_map),
+            controls=ControlOptions(
+                osc=osc, no_osc=no_osc, midi=midi, midi_out=midi_out, midi_map=midi_map, midi_api=midi_api
+            ),
             take=take, preview=preview_port or 0 if shown else None, screen=screen, stay=stay, json_lines=json_lines,
         )  # fmt: skip
         with Compiler(options, printer) as compiler:

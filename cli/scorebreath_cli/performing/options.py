@@ -107,6 +107,13 @@ MidiMap = Annotated[
         rich_help_panel=CONTROLS,
     ),
 ]  # fmt: skip
+MidiApi = Annotated[
+    str | None,
+    typer.Option(
+        "--midi-api", metavar="NAME", help="The system of MIDI: alsa, jack, core, windows; else the first that works.",
+        rich_help_panel=CONTROLS,
+    ),
+]  # fmt: skip
 Screen = Annotated[
     bool | None,
     typer.Option("--screen/--no-screen", help="Whether a terminal shows what happens; by default where there is one."),

@@ -140,6 +140,8 @@ class ControlOptions:
     midi_out: str | None = None
     midi_map: str | None = None
     """file"""
+    midi_api: str | None = None
+    """which of the machine's systems of MIDI; None: the first that works"""
 
     def osc_endpoint(self) -> tuple[str, int] | None:
         """Where to listen for OSC; None: nowhere.
@@ -162,9 +164,14 @@ class ControlOptions:
             InputError: There is a file, but no MIDI, or something is wrong with it.
         """
         if self.midi is None:
-            for flag, value in (("--midi-out", self.midi_out), ("--midi-map", self.midi_map)):
+            others = {"--midi-out": self.midi_out, "--midi-map": self.midi_map, "--midi-api": self.midi_api}
+            for flag, value in others.items():
                 if value is not None:
                     raise InputError(f"{flag} {shortened(value, 40)}: expected --midi PORT beside it")
+        if self.midi_api is not None:
+            from scorebreath.live.controls.rtmidi_driver import check_api
+
+            check_api(self.midi_api)
         if self.midi_map is None:
             return None
         from scorebreath.live.controls.mapping_file import read_mapping

@@ -195,7 +195,7 @@ class Stage:
 
         server = MidiServer(
             self.show.desk, port="" if controls.midi == OWN_PORT else controls.midi, output=controls.midi_out or "",
-            mapping=controls.mapping(), said=self._teller.note,
+            mapping=controls.mapping(), api=controls.midi_api or "", said=self._teller.note,
             learned=lambda control: self._teller.note(f"learned: {control}"),
         )  # fmt: skip
         server.start()

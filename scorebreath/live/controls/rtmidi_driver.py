@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any
 
-from scorebreath.errors import EnvironmentFailure, MissingExtraError
+from scorebreath.errors import EnvironmentFailure, InputError, MissingExtraError, shortened
 from scorebreath.live.controls.midi_ports import VIRTUAL, Direction, Input, Output
 
+APIS: Mapping[str, str] = MappingProxyType(
+    {"alsa": "LINUX_ALSA", "jack": "UNIX_JACK", "core": "MACOSX_CORE", "windows": "WINDOWS_MM"}
+)
+"""Systems of MIDI, and what rtmidi calls them."""
+DUMMY = "RTMIDI_DUMMY"
 AFRESH = 5.0
 """s between two tries, where there is no MIDI"""
 _AT_A_TIME = 4096
@@ -35,27 +41,46 @@ class RtMidi:
         """Load it.
 
         Args:
-            api: `UNIX_JACK`, `LINUX_ALSA`, `MACOSX_CORE`, `WINDOWS_MM`; empty: the first that works.
+            api: One of `APIS`; empty: the first that works.
             steady: s on a clock that never jumps.
 
         Raises:
             MissingExtraError: python-rtmidi is not installed.
-            EnvironmentFailure: There is no such API.
+            InputError: Nobody knows such an API.
+            EnvironmentFailure: It is not on this machine.
         """
         import mido
 
-        self._backend = mido.Backend("mido.backends.rtmidi", api=api or None)
+        if api:
+            check_api(api)
         try:
-            module = self._backend.module
+            module = mido.Backend("mido.backends.rtmidi").module
         except ImportError:
             raise MissingExtraError("MIDI", "live") from None
-        known = module.get_api_names()
-        if api and api not in known:
-            raise EnvironmentFailure(f"MIDI: no API is called {api!r} (there are {', '.join(known)})")
-        self._rtmidi = module.rtmidi
-        self._api = getattr(self._rtmidi, f"API_{api or 'UNSPECIFIED'}")
+        self._rtmidi, known = module.rtmidi, module.get_api_names()
+        if api and APIS[api] not in known:
+            there = ", ".join(name for name, called in APIS.items() if called in known) or "none"
+            raise EnvironmentFailure(f"MIDI: this python-rtmidi has no {api} (it has {there})")
+        name = APIS[api] if api else self._working(known)
+        self._backend = mido.Backend("mido.backends.rtmidi", api=name)
+        self._api = self._called(name)
         self._clients: dict[Direction, Any] = {}
         self._steady, self._asked, self._gone = steady, 0.0, ""
+
+    def _called(self, name: str | None) -> int:
+        return int(getattr(self._rtmidi, f"API_{name or 'UNSPECIFIED'}"))
+
+    def _working(self, known: Iterable[str]) -> str | None:
+        """The first API that can be used now; None: none of them, and rtmidi is to say why."""
+        for name in known:
+            if name == DUMMY:
+                continue
+            try:
+                self._rtmidi.MidiIn(self._called(name)).delete()
+            except OSError:
+                continue
+            return name
+        return None
 
     def names(self, direction: Direction) -> tuple[str, ...]:
         """Ports there are now."""
@@ -126,6 +151,16 @@ class _PolledInput:
     def close(self) -> None:
         self._client.close_port()
         self._client.delete()
+
+
+def check_api(api: str) -> None:
+    """See that there is such a system of MIDI, on some machine.
+
+    Raises:
+        InputError: There is not.
+    """
+    if api not in APIS:
+        raise InputError(f"no system of MIDI is called {shortened(api, 40)!r}; expected {', '.join(APIS)}")
 
 
 def port_names(api: str = "") -> PortNames:
