@@ -6,18 +6,20 @@ import os
 import threading
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from scorebreath.engine.live.status import Status
 from scorebreath.errors import InputError
 from scorebreath.live.conditions import Counts
 from scorebreath.live.desk import COMMANDS
 from scorebreath.live.streams.sender import Count
 from scorebreath.live.viewing import BodyView, Said, View, said_at
 from scorebreath_cli.performing import feeding
-from scorebreath_cli.performing.drawing import PLAIN_BARS, Shown, draw, progress
+from scorebreath_cli.performing.drawing import PLAIN_BARS, Shown, draw, help_pages, progress
 from scorebreath_cli.performing.feeding import Feeder, Whole
 from scorebreath_cli.performing.keys import CONTROLS, SEQUENCES, Decoder
 from scorebreath_cli.performing.line import LONGEST, MOVES, Line
@@ -128,6 +130,8 @@ def test_every_command_of_the_desk_can_be_typed(name: str) -> None:
         ("   ", []),
         ("/cut Stop that!", [("cut", "Stop that!", "")]),
         ("/set nose_share=0.8", [("set", "nose_share", 0.8, "", None)]),
+        ("/set nose_share 0.8", [("set", "nose_share", 0.8, "", None)]),
+        ("/set nose-share 0.8 glide 2.5", [("set", "nose_share", 0.8, "", 2.5)]),
         ("/set nose-share=0.8 glide 2.5", [("set", "nose_share", 0.8, "", 2.5)]),
         ("/set breath_sound=off", [("set", "breath_sound", False, "", None)]),
         ("/reset nose_share", [("set", "nose_share", None, "", None)]),
@@ -146,7 +150,8 @@ def test_lines_do_what_they_say(line: str, calls: list[tuple[object, ...]]) -> N
         ("/set nose_share", "NAME=VALUE"), ("/set nose_share=7", "nose_share"), ("/set nosey=1", "nosey"),
         ("/set nose_share=0.5 glide long", "glide long"),
         ("/show nosey", "nosey"), ("/who nobody", "nobody"), ("/learn nose_share", "--midi"), ("/map x.toml", "--midi"),
-        ("[broken", "without end"), ("/cut [broken", "without end"),
+        ("/set", "NAME=VALUE"), ("/show", "name of a parameter"), ("[broken", "without end"),
+        ("/cut [broken", "without end"),
     ],
 )  # fmt: skip
 def test_what_is_not_understood_is_said(line: str, said: str) -> None:
@@ -171,7 +176,36 @@ def test_questions_are_answered() -> None:
 
 def test_help_has_every_command() -> None:
     listed = {usage.split()[0].removeprefix("/") for usage, _ in describe()}
-    assert listed == set(known()) == {*COMMANDS, *ROWS}
+    assert listed == {*known(), "/TEXT"} == {*COMMANDS, *ROWS, "/TEXT"}
+
+
+@pytest.mark.parametrize(("width", "height"), [(80, 24), (40, 10), (200, 60), (20, 5)])
+def test_every_command_is_on_a_page_of_the_help(width: int, height: int) -> None:
+    pages = help_pages(describe(), width, height)
+    assert all(len(page) <= height - 2 for page in pages[:-1]) and (len(pages) == 1) == (height == 60)
+    said = " ".join(row.plain.strip() for page in pages for row in page)
+    for usage, about in describe():
+        assert usage in said
+        assert all(word in said for word in about.split())
+    seen = draw(replace(EMPTY, help=describe(), page=len(pages)), width, height)
+    assert len(seen) == height and max(row.cell_len for row in seen) <= width
+    assert height < 10 or any("//TEXT" in row.plain for row in seen)
+
+
+def test_messages_are_seen_whole() -> None:
+    long = "what is wrong with it and what would be right " * 4 + "is said to its last WORD"
+    rows = draw(replace(EMPTY, troubles=["an older one", long]), 60, 24)
+    assert any("WORD" in row.plain for row in rows) and any("an older one" in row.plain for row in rows)
+    rows = draw(replace(EMPTY, answer=long, wrong=True), 80, 24)
+    assert any("WORD" in row.plain for row in rows[-4:])
+
+
+def test_moves_name_their_bodies_where_there_are_several() -> None:
+    several = replace(EMPTY.view, bodies=(BODY, replace(BODY, body="body2")))
+    moved = [("body,body2", "nose_share", "0.8"), ("body2", "age", "30")]
+    rows = draw(replace(EMPTY, view=several, moved=moved), 80, 24)
+    assert any("body,body2 nose_share 0.8, body2 age 30" in row.plain for row in rows)
+    assert any("  nose_share 0.8, age 30" in row.plain for row in draw(replace(EMPTY, moved=moved), 80, 24))
 
 
 # Pictures
@@ -179,10 +213,23 @@ def test_help_has_every_command() -> None:
 TEXTS = st.text(max_size=120)
 
 
+BODY = BodyView(body="body", doing="rests", said=None, lungs=(0.5,))
+EMPTY = Shown(
+    view=View(time=1.0, bodies=(BODY,), coming=(), paused=False, ending=False, over=None), counts=Counts(),
+    engine=Status(
+        alive=True, engine="silent", sample_rate=48000, latency=0.02, sent=99_999, late=0, late_sent=0, lost=0,
+        restarts=0, waiting=0, lead_min=0.1498, lead_mean=0.15,
+    ),
+    latency=0.02,
+)  # fmt: skip
+
+
+def test_what_the_engine_does_fits_a_narrow_terminal() -> None:
+    assert any("latency 20 ms" in row.plain for row in draw(EMPTY, 80, 24))
+
+
 @st.composite
 def shown(draw_: st.DrawFn) -> Shown:
-    from scorebreath.engine.live.status import Status
-
     text = draw_(TEXTS)
     ends = sorted((draw_(st.integers(0, len(text))), draw_(st.integers(0, len(text)))))
     said = Said(id="g", text=text, onset=0.0, word=(ends[0], ends[1])) if text and draw_(st.booleans()) else None

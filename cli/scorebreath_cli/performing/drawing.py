@@ -25,7 +25,9 @@ LUNGS = 40
 """Columns of the lungs' last seconds."""
 NEXT = 3
 """Groups that are shown before they are said."""
-SPOKEN_ROWS, TROUBLES = 3, 6
+SPOKEN_ROWS, TROUBLES, ANSWER_ROWS = 3, 6, 3
+WIDE, USAGE = 60, 25
+"""Columns from which on commands stand beside what they do, and those they get."""
 KEYS = "Enter says the line   /help   Esc or Ctrl-X panic   Ctrl-D end   Ctrl-C stop"
 WATCHING = "Esc or Ctrl-X panic   Ctrl-D end   Ctrl-C stop"
 """What keys do, with a line to type into and without."""
@@ -43,7 +45,7 @@ class Shown:
     """s from a sound's time to the ear"""
     targets: Sequence[tuple[str, Count]] = ()
     moved: Sequence[tuple[str, str, str]] = ()
-    """body, parameter, value; the latest first"""
+    """bodies, parameter, value; the latest first"""
     troubles: Sequence[str] = ()
     """the latest last"""
     line: str = ""
@@ -56,6 +58,8 @@ class Shown:
     """whether the answer is a refusal"""
     help: Sequence[tuple[str, str]] = ()
     """commands to be listed instead of all else"""
+    page: int = 1
+    """of the help"""
     typing: bool = True
     """whether there is a line to type into"""
     unicode: bool = True
@@ -71,7 +75,7 @@ def draw(shown: Shown, width: int, height: int) -> list[Text]:
     """Exactly `height` rows, none wider than `width`; the line that is typed is the last."""
     foot = _foot(shown, width)
     room = max(1, height - len(foot))
-    body = _help(shown.help, width) if shown.help else _body(shown, width, room)
+    body = help_pages(shown.help, width, height)[shown.page - 1] if shown.help else _body(shown, width, room)
     rows = [*body[:room], *(Text() for _ in range(room - len(body))), *foot][-height:]
     for row in rows:
         row.no_wrap = True
@@ -90,15 +94,32 @@ def _body(shown: Shown, width: int, room: int) -> list[Text]:
     rows += [_lungs(body, shown) for body in view.bodies]
     rows += [*([_groups(shown.counts)] if shown.counts else []), _engine(shown)]
     if shown.moved:
-        said = "   ".join(f"{name} {value}" for _, name, value in shown.moved)
+        several = len(view.bodies) > 1
+        said = ", ".join(f"{who + ' ' if several else ''}{name} {value}" for who, name, value in shown.moved)
         rows.append(_row("moved", said, width))
     for place, (name, count) in enumerate(shown.targets):
         lost = f", {count.skipped} skipped, {count.failed} failed" if count.skipped or count.failed else ""
         rows.append(_row("curves" if not place else "", f"{name}: {count.sent} sent{lost}", width))
-    left = max(0, min(TROUBLES, room - len(rows)))
-    for place, text in enumerate(list(shown.troubles)[len(shown.troubles) - left :] if left else ()):
-        rows.append(_row("said" if not place else "", text, width, style="yellow"))
-    return rows
+    return [*rows, *_troubles(shown.troubles, width, max(0, min(TROUBLES, room - len(rows))))]
+
+
+def _troubles(texts: Sequence[str], width: int, room: int) -> list[Text]:
+    """The latest messages, as many as there is room for; each whole."""
+    rows: list[Text] = []
+    for text in reversed(texts):
+        wrapped = _wrapped(text, width - 9)
+        if rows and len(rows) + len(wrapped) > room:
+            break
+        rows[:0] = [Text.assemble(" " * 9, (line, "yellow")) for line in wrapped]
+    if rows:
+        rows[0] = Text.assemble((f" {'said':<7} ", "dim"), rows[0][9:])
+    return rows[:room]
+
+
+def _wrapped(text: str, width: int) -> list[str]:
+    """A message in lines of so many columns."""
+    flat = Text(" ".join(_flat(text).split()))
+    return [line.plain.rstrip() for line in flat.wrap(_console(), max(10, width))] or [""]
 
 
 def _head(shown: Shown, width: int) -> Text:
@@ -149,13 +170,13 @@ def _groups(counts: Counts) -> Text:
     late = f"{counts.late} late" + (f" (by up to {counts.latest:.3f} s)" if counts.late else "")
     bad = [f"{counts.unspoken} not spoken"] * bool(counts.unspoken) + [f"{counts.stalls} stalls"] * bool(counts.stalls)
     style = "bold red" if counts.late or bad else ""
-    more = f", {counts.cuts} cuts"
+    more = f", {counts.cuts} cut{'s' * (counts.cuts != 1)}"
     return Text.assemble((f" {'groups':<7} ", "dim"), said, ", ", (", ".join([late, *bad]), style), more)
 
 
 def _engine(shown: Shown) -> Text:
     engine = shown.engine
-    lead = f", lead {1000 * engine.lead_min:.0f} ms at worst" if isfinite(engine.lead_min) else ""
+    lead = f", lead {1000 * engine.lead_min:.0f} ms" if isfinite(engine.lead_min) else ""
     late = engine.late + engine.late_sent
     told = f"{engine.sent} bundles{lead}, "
     bad = f"{late} late, {engine.lost} lost, {engine.restarts} restarts"
@@ -165,18 +186,37 @@ def _engine(shown: Shown) -> Text:
     )  # fmt: skip
 
 
-def _help(rows: Iterable[tuple[str, str]], width: int) -> list[Text]:
-    return [Text.assemble((f" {usage:<24} ", "bold"), about) for usage, about in rows]
+def help_pages(rows: Iterable[tuple[str, str]], width: int, height: int) -> list[list[Text]]:
+    """All commands, as many on a page as there is room for."""
+    room = max(1, height - 2)
+    pages: list[list[Text]] = [[]]
+    for usage, about in rows:
+        if width < WIDE:
+            lines = [Text(f" {usage}", "bold"), *(Text(f"   {line}") for line in _wrapped(about, width - 3))]
+        else:
+            first, *others = _wrapped(about, width - USAGE - 2)
+            lines = [Text.assemble((f" {usage:<{USAGE}} ", "bold"), first)]
+            lines += [Text(" " * (USAGE + 2) + line) for line in others]
+        if pages[-1] and len(pages[-1]) + len(lines) > room:
+            pages.append([])
+        while len(lines) > room:
+            pages[-1:] = [lines[:room], []]
+            lines = lines[room:]
+        pages[-1] += lines
+    return pages
 
 
 def _foot(shown: Shown, width: int) -> list[Text]:
     if not shown.typing:
         return [Text(f" {shown.keys}", style="dim")]
-    hint = Text(f" {shown.keys}", style="dim")
+    hint = [Text(f" {shown.keys}", style="dim")]
     if shown.hints:
-        hint = Text(" " + "  ".join(shown.hints), style="cyan")
+        hint = [Text(" " + "  ".join(shown.hints), style="cyan")]
     elif shown.answer:
-        hint = Text(f" {_flat(shown.answer)}", style="bold red" if shown.wrong else "green")
+        style = "bold red" if shown.wrong else "green"
+        hint = [Text(f" {line}", style=style) for line in _wrapped(shown.answer, width - 2)[:ANSWER_ROWS]]
+    elif shown.help:
+        hint = [Text(" /help shows more, and goes away again", style="dim")]
     before, under, behind = (
         _flat(part)
         for part in (shown.line[: shown.cursor], shown.line[shown.cursor : shown.cursor + 1],
@@ -186,7 +226,7 @@ def _foot(shown: Shown, width: int) -> list[Text]:
     beyond = Text.assemble((shown.prompt, "bold"), before).cell_len + 2 - width
     if beyond > 0:  # the cursor stays to be seen
         typed = Text.assemble((shown.prompt, "bold"), before[beyond:], (under or " ", "reverse"), behind)
-    return [hint, typed]
+    return [*hint, typed]
 
 
 def _row(label: str, text: str, width: int, *, style: str = "") -> Text:

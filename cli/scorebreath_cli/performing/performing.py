@@ -82,7 +82,7 @@ class Performing:
         self._stay, self._groups = stay, groups
         self._typed = Typed(stage.show.desk, lambda: stage.midi)
         self._line = Line(self._typed.completions)
-        self._answer, self._wrong, self._helping = "", False, False
+        self._answer, self._wrong, self._helping = "", False, 0
         self._ended = self._stopped = False
         self._told: dict[str, str] = {}
 
@@ -149,7 +149,7 @@ class Performing:
             self._answer = ""
 
     def _do(self, line: str) -> None:
-        self._helping = not self._helping and line.strip() == "/help"
+        self._helping = self._helping + 1 if line.strip() == "/help" else 0  # the page of the help that is seen
         try:
             self._answer, self._wrong = self._typed.do(line), False
         except ScorebreathError as error:
@@ -160,7 +160,7 @@ class Performing:
         if self._helping and not self._drawn:
             for usage, about in describe():
                 self._teller.note(f"{usage:<24} {about}")
-            self._helping = False
+            self._helping = 0
 
     def _tell_groups(self) -> None:
         seen = view(self._stage.show, samples=0)
@@ -172,17 +172,19 @@ class Performing:
                 self._teller.tell("group", text, body=body.body, id=said.id, text=text, onset=said.onset)
 
     def _draw(self, width: int, height: int, unicode: bool) -> Sequence[Text]:
-        from scorebreath_cli.performing.drawing import KEYS, LUNGS, WATCHING, Shown, draw
+        from scorebreath_cli.performing.drawing import KEYS, LUNGS, WATCHING, Shown, draw, help_pages
 
         stage, show = self._stage, self._stage.show
         hints = self._line.hints()
+        if self._helping > len(help_pages(describe(), width, height)):
+            self._helping = 0
         return draw(
             Shown(
                 view=view(show, samples=min(LUNGS, max(1, width - 30))), counts=show.counts,
                 engine=stage.sounder.status(), latency=stage.latency, targets=stage.targets(),
-                moved=list(stage.moved.copy()), troubles=[message.text for message in self._teller.shown.copy()],
+                moved=stage.moved, troubles=[message.text for message in self._teller.shown.copy()],
                 line=self._line.text, cursor=self._line.cursor, hints=hints, answer=self._answer, wrong=self._wrong,
-                help=describe() if self._helping else (), typing=self._typing, unicode=unicode,
+                help=describe() if self._helping else (), page=self._helping, typing=self._typing, unicode=unicode,
                 prompt=f"{self._typed.body}> ", keys=KEYS if self._typing else WATCHING,
             ),
             width, height,

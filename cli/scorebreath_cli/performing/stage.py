@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import time
-from collections import deque
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from pathlib import Path
@@ -35,8 +34,8 @@ if TYPE_CHECKING:
 
 JOURNAL = "journal.jsonl"
 """What the engine was told and when, in a take's folder."""
-MOVES = 6
-"""Parameters moved lately that are remembered."""
+MOVES, REMEMBERED = 6, 60
+"""Moves that are shown, and that are remembered."""
 ECHO = 0.05
 """s after the last sound before an engine is closed"""
 
@@ -72,8 +71,7 @@ class Stage:
         self.streams: list[Stream] = []
         self.latency = 0.0
         """s from a sound's time to the ear"""
-        self.moved: deque[tuple[str, str, str]] = deque(maxlen=MOVES)
-        """body, parameter and value of what was moved lately, the latest first"""
+        self._moved: dict[tuple[str, str], str] = {}
         self._sender: Sender | None = None
         self._midi: MidiServer | None = None
         self.drawn = False
@@ -106,6 +104,14 @@ class Stage:
     def midi(self) -> MidiControl | None:
         """For learning, where there is MIDI."""
         return self._midi.control if self._midi is not None else None
+
+    @property
+    def moved(self) -> list[tuple[str, str, str]]:
+        """Bodies, parameter and value of what was moved lately, the latest first."""
+        found: dict[tuple[str, str], list[str]] = {}
+        for (body, name), value in reversed(self._moved.copy().items()):
+            found.setdefault((name, value), []).append(body)
+        return [(",".join(sorted(bodies)), name, value) for (name, value), bodies in found.items()][:MOVES]
 
     def targets(self) -> list[tuple[str, Any]]:
         """Streams, and what became of their pictures."""
@@ -203,10 +209,10 @@ class Stage:
         self._midi = server
 
     def _changed(self, body: str, name: str, value: Setting) -> None:
-        told = (body, name, shown(value))
-        for one in [one for one in self.moved if one[:2] == told[:2]]:
-            self.moved.remove(one)
-        self.moved.appendleft(told)
+        self._moved.pop((body, name), None)
+        self._moved[body, name] = shown(value)
+        while len(self._moved) > REMEMBERED:
+            del self._moved[next(iter(self._moved))]
 
     def _begun(self, osc: OscServer | None) -> None:
         plan, status = self._plan, self.sounder.status()

@@ -93,7 +93,8 @@ def known() -> list[str]:
 def describe() -> list[tuple[str, str]]:
     """Usage and meaning of every command, for `/help`."""
     own = [(row.usage, row.about) for row in ROWS.values()]
-    return [*own, *((f"/{name}", row.about) for name, row in COMMANDS.items())]
+    acts = ((f"/{name}", row.about) for name, row in COMMANDS.items())
+    return [*acts, *own, (f"{2 * SLASH}TEXT", "says a text that begins with a slash")]
 
 
 def _cut(typed: Typed, rest: str) -> str:
@@ -104,7 +105,11 @@ def _cut(typed: Typed, rest: str) -> str:
 def _set(typed: Typed, rest: str) -> str:
     from scorebreath.parameters.assign import parse_assignment
 
+    if not rest:
+        raise InputError("/set: expected NAME=VALUE, such as /set nose_share=0.4")
     assignment, glides, seconds = rest.partition(f" {GLIDE} ")
+    if "=" not in assignment:  # as SuperCollider's people write it
+        assignment = "=".join(assignment.split(maxsplit=1))
     name, value = parse_assignment(assignment)
     try:
         glide = float(seconds) if glides else None
@@ -154,14 +159,19 @@ def _map(typed: Typed, rest: str) -> str:
     try:
         with Path(rest).open("x", encoding="utf-8") as stream:
             stream.write(dumps_mapping(control.mapping))
+    except FileExistsError:
+        raise InputError(f"/map {rest}: is there already; expected a name for a new file") from None
     except (OSError, ValueError) as error:
-        raise InputError(f"/map {rest}: cannot be written: {error}") from None
+        said = error.strerror if isinstance(error, OSError) and error.strerror else error
+        raise InputError(f"/map {rest}: cannot be written: {said}") from None
     return f"{rest}: the mapping as it is now; --midi-map {rest} has it again"
 
 
 def _show(typed: Typed, rest: str) -> str:
     values = typed.desk.values(typed.body)
     name = rest.replace("-", "_")
+    if not name:
+        raise InputError("/show: expected the name of a parameter")
     if name not in values:
         raise InputError(f"/show {shortened(rest, 30)}: expected a parameter{did_you_mean(name, values)}")
     return f"{name} = {shown(values[name])}"
