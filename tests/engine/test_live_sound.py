@@ -11,9 +11,12 @@ import numpy as np
 import pytest
 import soundfile
 
+from scorebreath.engine.live.backend import Device
 from scorebreath.engine.live.making import sounder_named
 from scorebreath.engine.live.orders import Mix
+from scorebreath.engine.live.process import CLIENT
 from scorebreath.engine.onsets import onsets
+from scorebreath.errors import EngineError
 from scorebreath.media.store import MemoryStore
 from scorebreath.score.performing import Heard
 from tests.engine.listening import Signal
@@ -97,3 +100,19 @@ def test_what_is_moved_is_heard_as_it_was_moved(recorded: Signal) -> None:
 def test_nothing_else_is_heard(recorded: Signal) -> None:
     loud = np.flatnonzero(np.abs(recorded).max(axis=0) > 1e-6)
     assert (loud[-1] - loud[0]) / RATE == pytest.approx(2 * 1.2 + 0.8, abs=0.1)
+
+
+def test_a_server_is_chosen_by_its_name(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A word alone is the server's, not the client's; one that is not there is no other."""
+    with jack_server() as jack:
+        monkeypatch.setenv("JACK_DEFAULT_SERVER", "elsewhere")
+        for given, client in ((jack.name, CLIENT), (f"{jack.name}:mine", "mine")):
+            with sounder_named("scsynth", device=Device(name=given)):
+                assert f"{client}:out_1" in ports(jack.name)
+        with pytest.raises(EngineError, match="no sound device"):
+            sounder_named("scsynth", device=Device(name="nowhere"))
+
+
+def ports(server: str) -> list[str]:
+    """All of a JACK server."""
+    return subprocess.run(["jack_lsp", "-s", server], capture_output=True, text=True, check=True).stdout.split()

@@ -16,7 +16,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 
 from scorebreath.errors import EnvironmentFailure
 from scorebreath.live.controls.limits import Bucket, Leave, Listeners
-from scorebreath.live.controls.osc_server import FARTHEST, MOST_WAITING, OscServer
+from scorebreath.live.controls.osc_server import FARTHEST, FLOOD, MOST_WAITING, OscServer
 from scorebreath.live.controls.packets import Argument, Message, read_packet, write_message
 from scorebreath.parameters.table import Parameters
 from tests.live.desks import BrokenDesk, Clock, ToyDesk
@@ -78,6 +78,24 @@ def wait(until: Callable[[], bool]) -> None:
     while not until():
         assert time.monotonic() < end, "it never came true"
         time.sleep(0.002)
+
+
+def test_the_last_of_a_flood_counts() -> None:
+    """A fader that is thrown: where it comes to rest is not lost."""
+    desk = ToyDesk()
+    with OscServer(desk, port=0) as server, socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+        probe = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, FLOOD)
+        small = probe.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) < 2_000_000  # the system gives no more
+        probe.close()
+        for step in range(1, 1001):
+            time.sleep(0.001 if small else 0.0)
+            sender.sendto(write_message("/scorebreath/nose_share", step / 1000), ("127.0.0.1", server.port))
+        limit = time.monotonic() + 20.0
+        while desk.values()["nose_share"] != 1.0:
+            assert time.monotonic() < limit, server.report()
+            time.sleep(0.01)
+        assert server.report().applied == 1000
 
 
 def test_values_are_set_and_asked(client: Client, desk: ToyDesk) -> None:

@@ -7,6 +7,7 @@ import selectors
 import socket
 import threading
 import time
+from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -27,6 +28,8 @@ MOST_WAITING = 4096
 """messages that wait for their time tags"""
 TELLING = 0.02
 """s between two packets of changes: of each parameter, only the latest value is told"""
+FLOOD = 1 << 22
+"""Bytes that the system is asked to keep for us until we look; it gives what it likes."""
 _LONGEST_ERROR = 300
 _AT_A_TIME = 64
 
@@ -88,6 +91,7 @@ class OscServer:
         self._answers = Leave(200.0, 400.0, 8.0)
         self._report = OscReport()
         self._waiting: list[_Waiting] = []
+        self._came: deque[tuple[bytes, Sender]] = deque()
         self._number = 0
         self._changes: dict[tuple[str, str], Setting] = {}
         self._lock = threading.Lock()
@@ -112,6 +116,8 @@ class OscServer:
         except (OSError, OverflowError, UnicodeError) as error:
             self._socket.close()
             raise EnvironmentFailure(f"OSC: {self._host}:{self._wanted} cannot be opened: {error}") from None
+        with suppress(OSError):
+            self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, FLOOD)
         self._socket.setblocking(False)
         self.port = int(self._socket.getsockname()[1])
         self._wake, self._woken = socket.socketpair()
@@ -134,6 +140,7 @@ class OscServer:
         for each in (self._socket, self._wake, self._woken):
             each.close()
         self._waiting.clear()
+        self._came.clear()
 
     def report(self) -> OscReport:
         """What it has met so far."""
@@ -225,26 +232,35 @@ class OscServer:
             selector.register(self._woken, selectors.EVENT_READ)
             while not self._stopping:
                 for key, _ in selector.select(self._patience()):
-                    self._read() if key.fileobj is self._socket else self._hush()
+                    self._take_in() if key.fileobj is self._socket else self._hush()
+                self._work()
                 self._send(self.due())
                 self._tell()
 
     def _patience(self) -> float:
         """How long there is nothing to do, s."""
-        least = 1.0
+        least = 0.0 if self._came else 1.0
         if self._waiting:
             least = min(least, self._waiting[0].due - self._wall())
         if self._changes:
             least = min(least, self._told + TELLING - self._steady())
         return max(0.0, least)
 
-    def _read(self) -> None:
+    def _work(self) -> None:
+        """Do some of what has come; meanwhile all that comes is taken in, or the system would drop a flood's end."""
         for _ in range(_AT_A_TIME):
+            if not self._came:
+                return
+            self._send(self.receive(*self._came.popleft()))
+            self._take_in()
+
+    def _take_in(self) -> None:
+        while len(self._came) < MOST_WAITING:
             try:
                 packet, sender = self._socket.recvfrom(65536)
             except OSError:  # nothing more, or somebody we answered is gone
                 return
-            self._send(self.receive(packet, (sender[0], sender[1])))
+            self._came.append((packet, (sender[0], sender[1])))
 
     def _send(self, answers: list[Answer]) -> None:
         for answer in answers:

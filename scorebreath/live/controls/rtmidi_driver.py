@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
@@ -16,6 +17,8 @@ APIS: Mapping[str, str] = MappingProxyType(
 )
 """Systems of MIDI, and what rtmidi calls them."""
 DUMMY = "RTMIDI_DUMMY"
+SEQUENCER = Path("/dev/snd/seq")
+"""What ALSA needs."""
 AFRESH = 5.0
 """s between two tries, where there is no MIDI"""
 _AT_A_TIME = 4096
@@ -73,7 +76,7 @@ class RtMidi:
     def _working(self, known: Iterable[str]) -> str | None:
         """The first API that can be used now; None: none of them, and rtmidi is to say why."""
         for name in known:
-            if name == DUMMY:
+            if name == DUMMY or (name == APIS["alsa"] and not SEQUENCER.exists()):  # its library would complain aloud
                 continue
             try:
                 self._rtmidi.MidiIn(self._called(name)).delete()
