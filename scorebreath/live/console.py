@@ -173,7 +173,7 @@ class Console:
 
         def in_turn(performance: Performance) -> None:
             if opens:
-                performance.go_on()
+                performance.closing.take_back(performance)
             elif performance.is_over:
                 raise OverError
             order(performance)

@@ -18,10 +18,10 @@ from scorebreath.ensemble import Performer
 from scorebreath.errors import InputError
 from scorebreath.expression.silence import LOOK_AHEAD
 from scorebreath.live.backstage import Backstage
+from scorebreath.live.closing import FADE, Closing
 from scorebreath.live.company import Company, Turn
 from scorebreath.live.conditions import Sounder, Timing, Told
 from scorebreath.live.deciding import Decisions
-from scorebreath.live.desk import OverError
 from scorebreath.live.interrupting import interrupt
 from scorebreath.live.ledger import Ledger
 from scorebreath.live.preparing import Prepared
@@ -40,8 +40,6 @@ WORD = 5.0
 """Times the usual patience that a word waits for its other half."""
 GLANCE = 0.25
 """s after which it looks again, whatever happens."""
-FADE = 0.1
-"""s in which a breath at rest gives way."""
 SETTLED, REST = 0.1, 0.6
 """s after a move, and after the last time, before plans are made anew."""
 NEAR = 1.0
@@ -103,8 +101,7 @@ class Performance:
         """by body: what was set at the beginning"""
         self.acts = 0
         """commands that were acts"""
-        self._tail = tail
-        self._closing = 0.0  # s; when the last word was over, once the end is decided
+        self.closing = Closing(tail)
         self._next: Turn | None = None
         self._late: float | None = None
         self._planning: float | None = None
@@ -210,7 +207,7 @@ class Performance:
         if following is None:
             if self._finished():
                 self._decide_turn(turn)
-                self._finish()
+                self.closing.decide(self)
                 return False
             turn.who.hurry()
             turn.shown.extend(self.company.drain())
@@ -301,41 +298,13 @@ class Performance:
 
     def _end(self) -> bool:
         if self._finished():
-            self._finish()
+            self.closing.decide(self)
         return False
 
     @property
     def is_over(self) -> bool:
         """Whether nothing that is told now can happen before all is over."""
         return self.over is not None and self.now + self.timing.reaction >= self.over
-
-    def go_on(self) -> None:
-        """There is more, though the end was decided: what was placed behind the last word gives way.
-
-        Raises:
-            OverError: It comes too late.
-        """
-        if self.is_over:
-            raise OverError
-        if self.over is None:
-            return
-        at = snap(max(self._closing, self.now + self.timing.reaction))
-        self.over = None
-        self.ledger.go_on()
-        for who in self.company.performers:
-            interrupt(self, who, at, fade=FADE, rule=GIVES_WAY)
-        self.company.ensemble.clock = at
-
-    def _finish(self) -> None:
-        """Everybody comes to rest, and all is over."""
-        for who in self.company.performers:
-            if who.state.body in self.resting:
-                interrupt(self, who, snap(max(self.line, self.now + self.timing.reaction)), fade=FADE, rule=GIVES_WAY)
-        self._closing = self.line
-        over = self.company.ensemble.finish(self._tail)
-        self.decisions.decide(self.company.drain())
-        self.over = over
-        self.ledger.end(over)
 
     # -- rest
 

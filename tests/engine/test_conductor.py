@@ -36,10 +36,12 @@ class Engine:
         self.now = START
         self.entries: list[Entry] = []
         self.dropped: list[Played] = []
+        self.lost: list[str] = []
         self.conductor = Conductor(
             clock=LiveClock(start=START, sample_rate=RATE), layout=own_layout(2), mix=Mix(), send=self.take,
             now=lambda: self.now,
             lookahead=LOOKAHEAD, journal=self.entries.append, dropped=self.dropped.append,
+            lost=lambda sound: self.lost.append(sound.event),
         )  # fmt: skip
         self.conductor.engine_began(own_layout(2), RATE)
 
@@ -119,6 +121,7 @@ def test_what_comes_too_late() -> None:
     (moved,) = engine.of("/s_new", MOVER)
     assert moved[1] == pytest.approx(2.0 + MARGIN, abs=1 / RATE)
     assert (engine.conductor.tally.lost, engine.conductor.tally.late_sent) == (2, 2)
+    assert sorted(engine.lost) == ["breath", "over"]
     assert [entry.late for entry in engine.entries if entry.kind == "sound"] == pytest.approx([0.1 + MARGIN])
     assert len(engine.dropped) == 3
 
