@@ -346,7 +346,7 @@ def test_a_performer_at_a_terminal(tmp_path: Path) -> None:
         screen.type("/sig\t\r")
         screen.type("/help\r")
         screen.wait("say TEXT now, in place of everything else")
-        screen.type("/help\r")
+        screen.type("\r")
         termios.tcsetwinsize(theirs, (12, 60))
         os.kill(live.pid, signal.SIGWINCH)
         screen.forget()

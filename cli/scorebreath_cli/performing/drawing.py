@@ -216,7 +216,7 @@ def _foot(shown: Shown, width: int) -> list[Text]:
         style = "bold red" if shown.wrong else "green"
         hint = [Text(f" {line}", style=style) for line in _wrapped(shown.answer, width - 2)[:ANSWER_ROWS]]
     elif shown.help:
-        hint = [Text(" /help shows more, and goes away again", style="dim")]
+        hint = [Text(" /help shows more, Enter goes back", style="dim")]
     before, under, behind = (
         _flat(part)
         for part in (shown.line[: shown.cursor], shown.line[shown.cursor : shown.cursor + 1],

@@ -226,7 +226,7 @@ ROWS: Mapping[str, Row] = MappingProxyType(
             complete=_learned,
         ),
         "map": Row(usage="/map FILE", about="write down what knobs and keys do now", do=_map),
-        "help": Row(usage="/help", about="this list, and away again", do=_help),
+        "help": Row(usage="/help", about="this list, page by page; Enter goes back", do=_help),
     }
 )  # fmt: skip
 """Commands besides those of the desk; where a name is in both tables, this row takes it with something behind it."""
