@@ -66,7 +66,7 @@ class Console:
                 _write(performance, who, "cut_in")
                 orders.break_off(performance, who)
                 performance.paused = False
-            performance.supply.hear(one, performance.now)
+            performance.hear(one)
 
         self._tell(begin)
 
@@ -75,7 +75,7 @@ class Console:
         voice, piece = self._voice(body), _clean(piece)
         if voice not in self._streams:
             text = self._streams[voice] = Text(voice=voice)
-            self._tell(lambda performance: performance.supply.hear(text, performance.now))
+            self._tell(lambda performance: performance.hear(text))
         text = self._streams[voice]
         self._tell(lambda performance: performance.supply.go_on(text, piece, performance.now))
 

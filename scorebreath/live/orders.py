@@ -98,6 +98,7 @@ def break_off(performance: Performance, who: Performer) -> None:
 def clear(performance: Performance, _: Performer) -> None:
     """Nothing of the text is left but what is being said."""
     performance.take_back()
+    performance.floor = None
     performance.supply.forget(blend=performance.speaker.state.blend, time=performance.line)
 
 
@@ -111,9 +112,13 @@ def repeat(performance: Performance, _: Performer) -> None:
 
 
 def take(performance: Performance, who: Performer) -> None:
-    """A body breathes in, to be seen and heard; whoever speaks yields at the next breath; its text comes first."""
+    """A body breathes in, to be seen and heard; whoever speaks yields at the next breath; its text comes first.
+
+    So does a text that it is given only then, until it has spoken.
+    """
     performance.take_back()
     voice = next(name for name, one in performance.company.ensemble.performers.items() if one is who)
+    performance.floor = voice
     performance.plan_again(prefer=voice)
     if who is not performance.speaker or not performance.speaks:
         interrupt(performance, who, snap(performance.now + performance.timing.reaction), fade=QUICK)

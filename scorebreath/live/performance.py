@@ -27,6 +27,7 @@ from scorebreath.live.ledger import Ledger
 from scorebreath.live.preparing import Prepared
 from scorebreath.live.prompter import ALL, NOTHING, SENTENCES, WORDS
 from scorebreath.live.supply import Supply
+from scorebreath.live.text import Text
 from scorebreath.media.store import MediaStore
 from scorebreath.parameters.table import Parameters
 from scorebreath.pipeline import group_of
@@ -99,6 +100,8 @@ class Performance:
             who.state.body: who.state.parameters.set_by_hand() for who in company.ensemble.performers.values()
         }
         """by body: what was set at the beginning"""
+        self.floor: str | None = None
+        """voice of whoever has taken the floor, and has not spoken yet"""
         self.acts = 0
         """commands that were acts"""
         self.closing = Closing(tail)
@@ -259,6 +262,8 @@ class Performance:
                 self.ledger.group(group_of(one.spoken, one.who.state.body), one.prepared.media)
         self.silent = turn.silent
         self.last = turn
+        if self.floor == turn.prepared.group.voice:
+            self.floor = None
         self.decisions.counts.groups += 1
         self.decisions.decide([*turn.events, *turn.shown, *early])
 
@@ -275,6 +280,12 @@ class Performance:
         if who is self.speaker:
             self.company.ensemble.clock = max(self.line, who.state.time)
         self.resting.add(who.state.body)
+
+    def hear(self, text: Text) -> None:
+        """There is something to say: behind what there is already, or first, by whoever has taken the floor."""
+        self.supply.hear(text, self.now)
+        if self.floor == text.voice:
+            self.plan_again(prefer=text.voice)
 
     def plan_soon(self) -> None:
         """What has not been decided is planned anew, but not for each of many moves: voices need their time."""

@@ -161,6 +161,31 @@ def test_who_takes_the_floor_speaks_next() -> None:
     assert cue[0].onset < next(e.onset for e in begun(stage, Utterance) if e.body == "body2")
 
 
+@pytest.mark.parametrize("streamed", [False, True])
+def test_what_somebody_says_who_has_taken_the_floor_comes_first(streamed: bool) -> None:
+    """The breath first, then the words."""
+    stage = Stage(step=0.02, voices=lambda _: QuickTone(), cast={"two": Parameters()})
+    desk = Console(stage.performance)
+    desk.say(SAYING)
+    desk.say("And so on.")
+    midway(stage)
+    desk.command("take", body="body2")
+    stage.go(stage.now + 0.5)
+    if streamed:
+        for piece in ("Let ", "me sp", "eak now."):
+            desk.stream(piece, body="body2")
+        desk.end_stream(body="body2")
+    else:
+        desk.say("Let me speak now.", body="body2")
+    stage.go(stage.now + 0.5)
+    desk.say("Thank you.", body="body2")  # the floor was taken once
+    finish(stage, desk)
+    spoke = [(group.body, " ".join(group.text.split())) for group in stage.score().groups]
+    first = spoke.index(("body2", "Let me speak now."))
+    assert 0 < first <= 3 and ("body", "And so on.") in spoke[first:]
+    assert spoke[-1] == ("body2", "Thank you.")
+
+
 @pytest.mark.parametrize(
     ("name", "value", "heard"),
     [
