@@ -127,6 +127,14 @@ def test_what_is_no_text_is_left_out_and_said(tmp_path: Path) -> None:
     assert any(event["event"] == "group" and event["text"] == "Well then." for event in found)
 
 
+def test_a_document_that_is_wrong_is_bad_input(tmp_path: Path) -> None:
+    done = spawn("live", *QUIET, *SHORT, "-", "--json", cwd=tmp_path, input=b"<speak>Good & evening</speak>")
+    assert done.returncode == 2
+    found = events(done.stdout)
+    assert any(event["event"] == "note" and "<stdin>: 1:14: broken XML" in event["text"] for event in found)
+    assert found[-1]["status"] == 2
+
+
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 def test_an_interrupt_stops_gently_and_ends(tmp_path: Path) -> None:
     (tmp_path / "in.txt").write_text(LONG)

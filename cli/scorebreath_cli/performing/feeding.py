@@ -52,6 +52,8 @@ class Feeder:
         self._texts, self._note, self._descriptor = tuple(texts), note, descriptor
         self._over = threading.Event()
         self._done = threading.Event()
+        self.refused = False
+        """whether one of the texts is wrong"""
         self._allowance, self._since = float(BURST), time.monotonic()
 
     @property
@@ -78,6 +80,7 @@ class Feeder:
                     else:
                         desk.say(text.text)
                 except (InputError, OSError) as error:
+                    self.refused = self.refused or not isinstance(error, OverError)
                     self._note(f"{'<stdin>' if text is None else text.name}: {error}")
         finally:
             self._done.set()

@@ -70,8 +70,7 @@ def perform(given: Sequence[str], wishes: Wishes, compiler: Compiler, printer: P
     status = Status.DONE
     try:
         with stage:
-            if _performed(stage, texts, wishes, teller, typing=STANDARD not in names):
-                status = Status.INTERRUPTED
+            status = _performed(stage, texts, wishes, teller, typing=STANDARD not in names)
     except (KeyboardInterrupt, SystemExit) as error:
         status = ending_of(error) or Status.BUG
     finally:
@@ -171,7 +170,7 @@ def _take(given: str | None) -> Path | None:
     return path
 
 
-def _performed(stage: Stage, texts: list[Whole | None], wishes: Wishes, teller: Teller, *, typing: bool) -> bool:
+def _performed(stage: Stage, texts: list[Whole | None], wishes: Wishes, teller: Teller, *, typing: bool) -> Status:
     from scorebreath_cli.performing.feeding import Feeder
     from scorebreath_cli.performing.performing import Performing
     from scorebreath_cli.performing.screen import can_draw
@@ -181,11 +180,14 @@ def _performed(stage: Stage, texts: list[Whole | None], wishes: Wishes, teller: 
     if wishes.screen and not drawn:
         teller.note("--screen: there is no terminal that a screen can be drawn on, or it is taken")
     keyboard = _keyboard(drawn=drawn, typing=typing)
+    feeder = Feeder(texts, teller.note)
     performing = Performing(
-        stage, Feeder(texts, teller.note), teller, keyboard=keyboard, drawn=drawn, typing=typing,
+        stage, feeder, teller, keyboard=keyboard, drawn=drawn, typing=typing,
         stay=wishes.stay or not texts, groups=wishes.json_lines or (keyboard is not None and not drawn),
     )  # fmt: skip
-    return performing.run()
+    if performing.run():
+        return Status.INTERRUPTED
+    return Status.INPUT if feeder.refused else Status.DONE
 
 
 def _keyboard(*, drawn: bool, typing: bool) -> Keyboard | None:
