@@ -30,9 +30,9 @@ class Closing:
 
     def decide(self, performance: Performance) -> None:
         """Everybody comes to rest, and all is over."""
+        at = snap(max(performance.line, performance.shown, performance.now + performance.timing.reaction))
         for who in performance.company.performers:
             if who.state.body in performance.resting:
-                at = snap(max(performance.line, performance.now + performance.timing.reaction))
                 interrupt(performance, who, at, fade=FADE, rule=GIVES_WAY)
         self._said = performance.line
         over = performance.company.ensemble.finish(self._tail)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from types import MappingProxyType
 
 from scorebreath.ensemble import Performer
@@ -15,6 +16,7 @@ from scorebreath.live.text import Text
 from scorebreath.parameters.in_force import in_force
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.events import Command
+from scorebreath.script.marks import Mark
 from scorebreath.script.markup.marked import Markup, marked
 from scorebreath.units import snap
 
@@ -112,6 +114,11 @@ class Console:
                 self._changed(one for one, value in after.items() if before.get(one) != value)
 
         self._tell(carry_out, opens=name not in ("end", "reset"))
+
+    def act(self, voice: str, marks: tuple[Mark, ...]) -> None:
+        """What a text without a word asks of whoever has a voice; not refused, for it was taken."""
+        with suppress(OverError):
+            self._tell(lambda performance: orders.wordless(performance, voice, marks))
 
     def set(self, name: str, value: Setting | None, *, body: str = "", glide: float | None = None) -> None:
         """Move a parameter; None resets it."""

@@ -24,6 +24,8 @@ _UNSURE = re.compile(r"(?:\s+|\s*\S{1,40})$")
 """The end of a text that may go on: a word, which may not be whole, and the space before it."""
 _WHOLE = re.compile(r"[.,;:!?\u2026)\]}\"'\u201d\u2019\u00bb]$")
 """What a word ends with that is whole."""
+_FACE = re.compile(r">?[:;=]['-]?")
+"""What may be half of an emoticon."""
 _SAFE = re.compile(r"(?<=[^\s\]\\])\s(?=\w)")
 _BRACKET = re.compile(r"\[[^\]\n]*\]?")
 
@@ -63,9 +65,9 @@ class TagStream:
     def keep(self, *, word: bool) -> str:
         """Take out the beginning of a tag at the end of what came, or of a word, if that is wanted."""
         at = self._pending.rfind("[") if _open(self._pending) else -1
-        if at < 0 and word and not _WHOLE.search(self._pending):
-            token = re.search(r"\S+$", self._pending)
-            at = token.start() if token else -1
+        token = re.search(r"\S+$", self._pending)
+        if at < 0 and word and token and (not _WHOLE.search(token.group()) or _FACE.fullmatch(token.group())):
+            at = token.start()
         if at < 0:
             return ""
         begun, self._pending = self._pending[at:], self._pending[:at]

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from scorebreath.ensemble import Performer
+from scorebreath.expression.emotion import wordless as alone
 from scorebreath.live.interrupting import interrupt, next_break
 from scorebreath.live.moving import move
-from scorebreath.script.marks import Act, ActName
+from scorebreath.script.marks import Act, ActName, EmotionMark, Mark
 from scorebreath.units import snap
 
 if TYPE_CHECKING:
@@ -40,6 +41,32 @@ Order = Callable[["Performance", Performer], None]
 
 def act(performance: Performance, who: Performer, name: str) -> None:
     """A body does something with its breath now: between two words, if it speaks; then it speaks on."""
+    mark = Act(at=0, written=f"{name} now", name=ACTS[name])
+    between_words(performance, who, lambda: perform(performance, who, mark))
+
+
+def wordless(performance: Performance, voice: str, marks: Sequence[Mark]) -> None:
+    """What a text without a word asks of a body: acts, states, and emotions one after the other."""
+    who = performance.company.ensemble.performers.get(voice)
+    if who is None:
+        performance.tell("a text without a word is for somebody who is not there, and is left out")
+        return
+
+    def do() -> None:
+        perform(performance, who, *(mark for mark in marks if not isinstance(mark, EmotionMark)))
+        felt = [mark for mark in marks if isinstance(mark, EmotionMark)]
+        if felt and who.state.parameters.face_emotion:
+            onset = snap(max(who.state.time, performance.now + performance.timing.ahead))
+            shown = alone(felt, body=who.state.body, onset=onset)
+            who.keep_from(shown)
+            performance.shown = max(performance.shown, *(snap(event.end) for event in shown))
+            performance.decisions.decide(shown)
+
+    between_words(performance, who, do)
+
+
+def between_words(performance: Performance, who: Performer, do: Callable[[], None]) -> None:
+    """A body does something now: between two words, if it speaks; then it speaks on."""
     performance.take_back()
     reaction = snap(performance.now + performance.timing.reaction)
     speaking = who is performance.speaker and performance.speaks
@@ -48,18 +75,16 @@ def act(performance: Performance, who: Performer, name: str) -> None:
         at, place = next_break(performance.ledger.near(who.state.body), reaction)
     interrupt(performance, who, snap(at), fade=QUICK)
     performance.company.ensemble.clock = max(performance.line, who.state.time) if not speaking else who.state.time
-    perform(performance, who, ACTS[name], f"{name} now")
+    do()
     if place is not None:
         performance.plan_again(place)
 
 
-def perform(
-    performance: Performance, who: Performer, name: ActName, written: str, *, seconds: float | None = None
-) -> None:
-    """Place an act where a body is."""
+def perform(performance: Performance, who: Performer, *marks: Mark) -> None:
+    """Place acts where a body is."""
     performance.acts += 1
-    mark = Act(at=0, written=written, name=name, seconds=seconds)
-    who.go_on(performance.company.ensemble.breathing.act(who.state, (mark,), f"{name}{performance.acts}"))
+    name = next((mark.name for mark in marks if isinstance(mark, Act)), "act")
+    who.go_on(performance.company.ensemble.breathing.act(who.state, marks, f"{name}{performance.acts}"))
     performance.occupied(who)
     made = performance.company.drain()
     performance.decisions.decide([replace(event, origin="performer") for event in made])
@@ -80,7 +105,7 @@ def stop(performance: Performance, who: Performer) -> None:
     """Speech ends now, and what air there is too much goes out."""
     break_off(performance, who)
     if who.state.volume - who.state.person.resting_volume > BREATH_LEFT:
-        perform(performance, who, "exhale", "stopped")
+        perform(performance, who, Act(at=0, written="stopped", name="exhale"))
     performance.paused = False
 
 
@@ -122,7 +147,7 @@ def take(performance: Performance, who: Performer) -> None:
     performance.plan_again(prefer=voice)
     if who is not performance.speaker or not performance.speaks:
         interrupt(performance, who, snap(performance.now + performance.timing.reaction), fade=QUICK)
-        perform(performance, who, "breath", "takes the floor")
+        perform(performance, who, Act(at=0, written="takes the floor", name="breath"))
 
 
 def panic(performance: Performance, who: Performer) -> None:
@@ -134,7 +159,7 @@ def panic(performance: Performance, who: Performer) -> None:
         interrupt(performance, each, at, fade=AT_ONCE)
     performance.company.ensemble.clock = at
     for each in performance.company.performers:
-        perform(performance, each, "pause", "panic", seconds=performance.timing.reaction)
+        perform(performance, each, Act(at=0, written="panic", name="pause", seconds=performance.timing.reaction))
     performance.paused = False
 
 

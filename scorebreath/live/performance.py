@@ -102,6 +102,8 @@ class Performance:
         """by body: what was set at the beginning"""
         self.floor: str | None = None
         """voice of whoever has taken the floor, and has not spoken yet"""
+        self.shown = 0.0
+        """s; until when a face shows what a text without a word asked for"""
         self.acts = 0
         """commands that were acts"""
         self.closing = Closing(tail)
@@ -305,7 +307,7 @@ class Performance:
     # -- the end
 
     def _finished(self) -> bool:
-        return self.ending and self.supply.idle
+        return self.ending and self.supply.idle and self.shown <= self.now + self.timing.ahead
 
     def _end(self) -> bool:
         if self._finished():

@@ -58,14 +58,18 @@ class Prompter:
         plan: How to plan.
         said: Told of everything that becomes text of the performance: it goes on where that ended.
         problem: Told in one line what could not be understood.
+        wordless: Told who is to do what, where a text has no word; by name of a voice.
     """
 
-    def __init__(self, plan: Plan, *, said: Callable[[str], None], problem: Callable[[str], None]) -> None:
+    def __init__(
+        self, plan: Plan, *, said: Callable[[str], None], problem: Callable[[str], None],
+        wordless: Callable[[str, tuple[Mark, ...]], None] = lambda voice, marks: None,
+    ) -> None:  # fmt: skip
         """Nothing to say."""
         self.plan = plan
         self.texts: deque[Text] = deque()
         """in the order in which they are said; the first one is being planned"""
-        self._said, self._problem = said, problem
+        self._said, self._problem, self._wordless = said, problem, wordless
         self._length = 0  # of the performance's text
         self._used: dict[type[Mark], Mark] = {}  # kinds of lasting marks met so far, with a neutral one of each
         self._fed: list[_Fed] = []  # given to the planner, and not said yet
@@ -238,6 +242,7 @@ class Prompter:
         return Reading(
             language=self.plan.language, poem=poem, start=self._length, whole=whole, before=self._introduced(text),
             moods=self._moods(), said=self._say, problem=self._problem,
+            wordless=lambda marks: self._wordless(text.voice, marks),
         )  # fmt: skip
 
     def _introduced(self, text: Text) -> list[Mark]:

@@ -31,6 +31,7 @@ from scorebreath.pipeline import begin_states, made_by
 from scorebreath.score.document import Score
 from scorebreath.score.take import TakeWriter
 from scorebreath.script.language import primary
+from scorebreath.script.marks import Mark
 from scorebreath.script.markup.marked import Markup
 from scorebreath.speech.model import Voice
 from scorebreath.speech.voices import open_voice
@@ -141,7 +142,7 @@ class Show:
             seed=setting.seed, cast=setting.cast, begun=begun,
         )  # fmt: skip
         preparer = Preparer(
-            Prompter(plan, said=self.ledger.text, problem=self._tell),
+            Prompter(plan, said=self.ledger.text, problem=self._tell, wordless=self._act),
             voices=self._voice, parameters=self._parameters, media=self.media,
         )  # fmt: skip
         self._backstage = Thread(preparer, self._wake)
@@ -155,6 +156,9 @@ class Show:
 
     def _parameters(self, voice: str) -> Parameters:
         return self.performance.parameters(voice)
+
+    def _act(self, voice: str, marks: tuple[Mark, ...]) -> None:
+        self.desk.act(voice, marks)
 
     def _recordings(self) -> Recordings | None:
         folder = self.setting.breaths

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from scorebreath.live.markup import TagStream
 from scorebreath.script.dialogue import turns
 from scorebreath.script.emotional import Moods
+from scorebreath.script.gathering import alone
 from scorebreath.script.marks import BreathingMark, Mark, ProsodyMark, VoiceMark
 from scorebreath.script.markup.marked import Marked
 from scorebreath.script.model import Sentence
@@ -94,6 +95,7 @@ class Reading:
         moods: Lets emotions move the breath; None: they do not.
         said: Told of its text without tags.
         problem: Told what could not be understood.
+        wordless: Told, if there is no word in it, of the acts and emotions that are.
     """
 
     def __init__(
@@ -107,6 +109,7 @@ class Reading:
         moods: Moods | None,
         said: Callable[[str], None],
         problem: Callable[[str], None],
+        wordless: Callable[[tuple[Mark, ...]], None] = lambda _: None,
     ) -> None:
         """Nothing is read yet."""
         clean = whole or Marked(text="")
@@ -117,7 +120,9 @@ class Reading:
             turns=[place + start for place in turns(clean.text)], ends=[place + start for place in clean.ends],
             told=[(place + start, told) for place, told in clean.told],
         )  # fmt: skip
-        self._moods, self._said, self._problem = moods, said, problem
+        self._moods, self._said, self._problem, self._wordless = moods, said, problem, wordless
+        self._silent: str | None = ""  # what was read, as long as there was no word in it
+        self._introduced, self._start = len(self.marks) - len(clean.marks), start
 
     def keep(self, *, word: bool) -> str:
         """Take out the beginning of a tag or of a word at the end of what came."""
@@ -127,8 +132,7 @@ class Reading:
         """All of it, without tags."""
         found: list[Sentence] = []
         for at in range(0, len(text), PORTION):
-            self._said(text[at : at + PORTION])
-            found += self._moody(self._reader.feed(text[at : at + PORTION]))
+            found += self._read(text[at : at + PORTION])
         return found
 
     def feed(self, piece: str) -> list[Sentence]:
@@ -147,14 +151,26 @@ class Reading:
     def finish(self) -> list[Sentence]:
         """All that is left."""
         left = [sentence for clean in self._tags.finish() for sentence in self._hear(*clean)]
-        return [*left, *self._moody(self._reader.finish()), *self.settle()]
+        last = self._reader.finish()
+        if self._silent is not None and not last:
+            own = self.marks[self._introduced :]
+            felt = (replace(mark, at=mark.at + self._start) for mark in alone(self._silent))
+            if marks := tuple(sorted((*own, *felt), key=lambda mark: mark.at)):
+                self._wordless(marks)
+        return [*left, *self._moody(last), *self.settle()]
 
     def _hear(self, text: str, marks: tuple[Mark, ...], problem: str) -> list[Sentence]:
         if problem:
             self._problem(problem)
         self.marks += marks  # the reader sees this very list grow
+        return self._read(text)
+
+    def _read(self, text: str) -> list[Sentence]:
         self._said(text)
-        return self._moody(self._reader.feed(text))
+        found = self._reader.feed(text)
+        if self._silent is not None:
+            self._silent = None if found or len(self._silent) > PORTION else self._silent + text
+        return self._moody(found)
 
     def _moody(self, sentences: Iterable[Sentence]) -> list[Sentence]:
         if self._moods is None:

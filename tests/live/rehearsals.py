@@ -142,6 +142,9 @@ def order(desk: Console, chance: random.Random, *, feeling: bool) -> str:
     if feeling and chance.random() < 0.15:
         desk.say(FEELING, body=body)
         return "feel"
+    if feeling and draw < 0.05:
+        desk.say(chance.choice(["[sigh] :-)", "😢", "[laugh]"]), body=body)
+        return "wordless"
     if draw < 0.5:
         name = chance.choice([name for name in COMMANDS if name not in ("end", "panic")] + ["go"] * 3)
         name = "panic" if chance.random() < 0.05 else name

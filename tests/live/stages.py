@@ -12,6 +12,7 @@ from scorebreath.ensemble import Ensemble
 from scorebreath.errors import VoiceError
 from scorebreath.live.company import Company
 from scorebreath.live.conditions import Timing
+from scorebreath.live.console import Console
 from scorebreath.live.ledger import Ledger
 from scorebreath.live.performance import Performance
 from scorebreath.live.preparing import Prepared, Preparer
@@ -166,7 +167,10 @@ class Stage:
             model=model, language=language, parameters=p, count=voice.syllables, seed=seed, cast=cast or {},
             begun=begun,
         )  # fmt: skip
-        prompter = Prompter(plan, said=self.ledger.text, problem=self.told.append)
+        prompter = Prompter(
+            plan, said=self.ledger.text, problem=self.told.append,
+            wordless=lambda voice, marks: Console(self.performance).act(voice, marks),
+        )  # fmt: skip
         self.ensemble = ensemble
         preparer = Preparer(
             prompter, voices=lambda name: ensemble.performers[name].voice if name in ensemble.performers else

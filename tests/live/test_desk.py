@@ -13,10 +13,10 @@ from scorebreath.live.console import Console
 from scorebreath.live.desk import COMMANDS, OverError, Setting
 from scorebreath.parameters.table import Parameters
 from scorebreath.score.cutting import end_of, endings
-from scorebreath.score.events import Cut, Hold, Inspiration, Parameter, Utterance
+from scorebreath.score.events import Cut, Emotion, Hold, Inspiration, Parameter, Utterance
 from scorebreath.score.performing import GIVES_WAY
 from scorebreath.speech.model import Speech, SpeechRequest
-from tests.live.acting import SAYING, begun, finish, words
+from tests.live.acting import SAYING, begun, finish, midway, words
 from tests.live.stages import QuickTone, Stage
 
 
@@ -90,6 +90,46 @@ def test_whatever_a_voice_does_the_others_go_on() -> None:
     finish(stage, desk)
     assert words(stage) == ["Well", "then", "And", "wide", "Yes"]
     assert any("unspoken" in line and "ZeroDivisionError: of the voice's own" in line for line in stage.told)
+
+
+@pytest.mark.parametrize("streamed", [False, True])
+def test_a_text_without_a_word_is_done(streamed: bool) -> None:
+    stage = Stage(step=0.02)
+    desk = Console(stage.performance)
+    for text in ("[sigh]", ":-)", "[gasp] 😢"):
+        stage.go(stage.now + 4.0)
+        if streamed:
+            desk.stream(text)
+            desk.end_stream()
+        else:
+            desk.say(text)
+    finish(stage, desk)
+    kinds = [event.kind for event in begun(stage, Inspiration)]
+    assert (kinds.count("sigh"), kinds.count("gasp")) == (1, 1)
+    assert [event.name for event in begun(stage, Emotion)] == ["happy", "sad"]
+    assert stage.score().groups == () and not stage.told
+    assert stage.performance.decisions.counts.stalls == 0
+
+
+def test_a_sigh_alone_comes_between_two_words(stage: Stage, desk: Console) -> None:
+    now = midway(stage)
+    desk.say("[sigh]")
+    finish(stage, desk)
+    sighs = [event for event in begun(stage, Inspiration) if event.kind == "sigh"]
+    assert len(sighs) == 1 and sighs[0].onset > now
+    assert words(stage) == re.findall(r"\w+", SAYING)
+
+
+def test_half_an_emoticon_waits_for_its_other_half(stage: Stage) -> None:
+    desk = Console(stage.performance)
+    for piece in ("Good :", "-", ") done."):
+        desk.stream(piece)
+        stage.go(stage.now + 1.0)
+    desk.end_stream()
+    finish(stage, desk)
+    assert [word.lower() for word in words(stage)] == ["good", "done"]
+    assert [event.name for event in begun(stage, Emotion)][:1] == ["happy"]
+    assert " ".join(stage.score().text.split()) == "Good :-) done."
 
 
 def test_only_interruptions_are_counted_as_cuts(stage: Stage) -> None:

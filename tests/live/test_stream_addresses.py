@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -10,9 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from scorebreath.errors import InputError
+from scorebreath.errors import EnvironmentFailure, InputError
 from scorebreath.live.picture import EVERYBODY
-from scorebreath.live.streams.addresses import COMMON_OPTIONS, SCHEMES, parse
+from scorebreath.live.streams.addresses import COMMON_OPTIONS, SCHEMES, open_stream, parse
 
 NETWORK = sorted(name for name, row in SCHEMES.items() if row.host)
 
@@ -109,3 +110,23 @@ def test_reading_an_address_loads_no_server(root: Path) -> None:
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=root)
     assert (run.returncode, run.stdout.strip()) == (0, ""), run.stderr
+
+
+def test_a_file_that_is_there_is_not_written_over(tmp_path: Path) -> None:
+    path = tmp_path / "film.jsonl"
+    path.write_text("mine")
+    with pytest.raises(InputError, match="is there already"):
+        open_stream(f"jsonl:{path}")
+    assert path.read_text() == "mine"
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no FIFOs here")
+def test_a_fifo_that_nobody_reads_is_refused_and_not_waited_for(tmp_path: Path) -> None:
+    path = tmp_path / "fifo"
+    os.mkfifo(path)
+    with pytest.raises(EnvironmentFailure, match="nobody reads"):
+        open_stream(f"jsonl:{path}")
+    reading = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
+    stream = open_stream(f"jsonl:{path}")
+    stream.target.close()
+    os.close(reading)

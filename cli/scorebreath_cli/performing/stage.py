@@ -95,9 +95,12 @@ class Stage:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
         """Close everything; after a performance that has come to its end, when that has been heard."""
-        self.ended = self._summary()
+        seconds = round(max(0.0, self.show.now), 3)
         if kind is None:
             time.sleep(self.latency + ECHO)
+        if self._sender is not None:
+            self._sender.stop()
+        self.ended = self._summary(seconds)
         self._stack.close()
 
     @property
@@ -119,11 +122,12 @@ class Stage:
             return []
         return [(s.target.name, count) for s, count in zip(self.streams, self._sender.counts, strict=True)]
 
-    def _summary(self) -> dict[str, Any]:
+    def _summary(self, seconds: float) -> dict[str, Any]:
+        for name, count in self.targets():
+            if not (count.sent or count.failed or count.skipped):
+                self._teller.note(f"{name}: got no picture; there were {', '.join(self.show.desk.bodies)}")
         counts = dataclasses.asdict(self.show.counts)
-        return {"seconds": round(max(0.0, self.show.now), 3), **counts} | figures(
-            self.sounder.status(), self.streams, self._sender
-        )
+        return {"seconds": seconds, **counts} | figures(self.sounder.status(), self.streams, self._sender)
 
     def _open(self) -> None:
         from scorebreath.live.conditions import Timing

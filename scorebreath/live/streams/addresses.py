@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from types import MappingProxyType
 from typing import BinaryIO, cast
 from urllib.parse import parse_qsl, urlsplit
@@ -110,6 +111,11 @@ def _jsonl(address: Address, stdout: BinaryIO | None) -> Target:
         return LineTarget(address.name, stdout, rig=rig, keep=True)
     if rig:
         rig_named(rig)
+    path = Path(address.path)
+    if address.path != STDOUT and path.is_file():
+        raise InputError(f"target {address.text!r}: {address.path} is there already; expected the name of a new file")
+    if address.path != STDOUT and path.is_fifo() and not _is_read(path):
+        raise EnvironmentFailure(f"{address.name} cannot be written: nobody reads it")
     try:
         # Without a buffer: one that cannot be flushed would spoil the end of the process.
         where = os.dup(sys.stdout.fileno()) if address.path == STDOUT else address.path
@@ -117,6 +123,15 @@ def _jsonl(address: Address, stdout: BinaryIO | None) -> Target:
     except (OSError, AttributeError) as error:
         raise EnvironmentFailure(f"{address.name} cannot be written: {error}") from None
     return LineTarget(address.name, cast(BinaryIO, stream), rig=rig)
+
+
+def _is_read(fifo: Path) -> bool:
+    """Whether somebody has the other end; to open one that nobody reads waits for ever."""
+    try:
+        os.close(os.open(fifo, os.O_WRONLY | os.O_NONBLOCK))
+    except OSError:
+        return False
+    return True
 
 
 def _over(address: Address, make: Callable[[Datagrams], Target]) -> Target:

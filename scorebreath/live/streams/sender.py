@@ -144,7 +144,9 @@ class Sender:
         self._thread.start()
 
     def stop(self) -> None:
-        """Send no more, and close the targets."""
+        """Send no more, and close the targets; does nothing the second time."""
+        if self._over.is_set():
+            return
         self._over.set()
         if self._thread is not None:
             self._thread.join(5.0)
