@@ -208,6 +208,12 @@ def test_the_laws_see_what_breaks_them(bent: Bent, sum_error: float, flow: float
     assert found.over_flow == pytest.approx(over, rel=0.05)
 
 
+def test_what_would_be_behind_a_cut_end_is_nobody_s_movement() -> None:
+    found = laws(Bent(jump=0.1), 5.0, 0.4, 5.0)  # type: ignore[arg-type]
+    assert found is not None
+    assert (found.flow, found.over_flow) == pytest.approx((1.0, 1.0), rel=0.05)
+
+
 @pytest.mark.parametrize("place", [2, 13, 20, 31, 38])
 def test_the_laws_look_everywhere(place: int) -> None:
     """Also beyond the first block of frames."""

@@ -36,6 +36,8 @@ NAMES = ("lung_volume", "thorax_volume", "abdomen_volume", "airflow")
 def laws(curves: CurveSet, duration: float, resting: float, capacity: float) -> Laws | None:
     """Look at every frame of a Score; None where nothing moves.
 
+    A take that was cut off does not end at rest: what would be behind its end is nobody's movement.
+
     Args:
         curves: The body's.
         duration: s.
@@ -44,10 +46,11 @@ def laws(curves: CurveSet, duration: float, resting: float, capacity: float) -> 
     """
     half = FRAME / 2.0
     frames = 2 * int(np.ceil(min(max(duration, FRAME), LONGEST) / FRAME))
+    end = np.nextafter(max(duration, FRAME), 0.0)
     error = excursion = whole = halved = 0.0
     over = 0.0
     for first in range(-4, frames + 4, BLOCK):
-        times = np.arange(first, min(first + BLOCK, frames + 4) + 3) * half
+        times = np.minimum(np.arange(first, min(first + BLOCK, frames + 4) + 3) * half, end)
         volume, thorax, abdomen, flow = curves.sample(times, NAMES).T
         above = volume - resting
         error = max(error, float(np.abs(thorax + abdomen - above).max()))
