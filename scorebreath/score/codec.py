@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NoReturn, TypeVar
@@ -145,6 +146,9 @@ def json_schema() -> dict[str, Json]:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": SCHEMA, **_open(schema)}
 
 
+_SURROGATE = re.compile(rb"\\u[dD][89a-fA-F]")
+
+
 def parse_json(data: bytes, file: str = "") -> Json:
     """JSON from outside: UTF-8, no NaN or infinity, no key twice, bounded depth.
 
@@ -165,7 +169,12 @@ def parse_json(data: bytes, file: str = "") -> Json:
         raise ScoreError(f"{_named(file)}{name} is not a number a score can hold")
 
     try:
-        return json.loads(data.decode("utf-8"), object_pairs_hook=unique, parse_constant=constant)
+        found: Json = json.loads(data.decode("utf-8"), object_pairs_hook=unique, parse_constant=constant)
+        if _SURROGATE.search(data):  # halves that meet are a character; one alone is no text
+            json.dumps(found, ensure_ascii=False).encode()
+        return found
+    except UnicodeEncodeError:
+        raise ScoreError(f"{_named(file)}half of a surrogate pair, which is no text") from None
     except UnicodeDecodeError as error:
         raise ScoreError(f"{_named(file)}byte {error.start}: not UTF-8") from None
     except json.JSONDecodeError as error:

@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from scorebreath.errors import ScoreError
-from scorebreath.score.codec import decode_event, dump_event, dumps, encode, json_schema, loads
+from scorebreath.score.codec import decode_event, dump_event, dumps, encode, json_schema, loads, parse_json
 from scorebreath.score.document import Score
 from scorebreath.score.events import EVENTS, Level, Phone, Pitch, Trapezoid, Unknown, Utterance, Word
 
@@ -113,6 +113,8 @@ def test_another_version_names_the_version_needed() -> None:
     ("data", "said"),
     [
         (b'{"schema":"a","schema":"b"}', "stands twice"),
+        (rb'{"text":"Wh\ud800re"}', "half of a surrogate pair"),
+        (rb'{"schema":"x\udc00"}', "half of a surrogate pair"),
         (b'{"schema": NaN}', "NaN is not a number"),
         (b"[" * 100_000, "nested too deeply"),
         (b'{\n "schema" "x"}', "f.json:2:11: broken JSON"),
@@ -159,3 +161,7 @@ def test_a_phone_is_of_a_word_that_is_there() -> None:
     plain["phones"][1]["word"] = 999
     with pytest.raises(ScoreError, match=r"f\.json: events\[4\]: .*phones\[1\]\.word=999 must be in \[0, 1\]"):
         decode_event(plain, "events[4]", "f.json")
+
+
+def test_escaped_halves_that_meet_are_a_character() -> None:
+    assert parse_json(rb'{"text":"\ud83d\ude00"}') == {"text": "\N{GRINNING FACE}"}
