@@ -1,5 +1,7 @@
 """The ledger: everything that has been decided, in the order in which it was; it only ever grows.
 
+What is decided is written before anybody can see it: nothing that was seen is missing in a take that was killed.
+
 Curves are made of what matters around now: events have a finite reach, so a window of them gives the very values that
 the whole performance gives.
 """
@@ -71,35 +73,35 @@ class Ledger:
 
     def text(self, piece: str) -> None:
         """The text goes on."""
-        with self._lock:
-            self._text += piece
         if self._take:
             self._take.text(piece)
+        with self._lock:
+            self._text += piece
 
     def body(self, body: Body) -> None:
         """Somebody joins."""
+        if self._take:
+            self._take.body(body)
         with self._lock:
             self._bodies[body.id] = body
             self._near[body.id] = []
-        if self._take:
-            self._take.body(body)
 
     def group(self, group: Group, media: Mapping[str, MediaInfo]) -> None:
         """A breath group is said, with these media."""
         self.media_used(media)
-        with self._lock:
-            self._groups[group.id] = group
         if self._take:
             self._take.group(group)
+        with self._lock:
+            self._groups[group.id] = group
 
     def media_used(self, media: Mapping[str, MediaInfo]) -> None:
         """These media sound."""
         new = {name: info for name, info in media.items() if name not in self._media}
-        with self._lock:
-            self._media |= new
         if self._take:
             for name, info in new.items():
                 self._take.sound(name, info)
+        with self._lock:
+            self._media |= new
 
     def events(self, events: Iterable[Event], now: float) -> list[Event]:
         """Events have been decided; as they are written: an id that is taken gets a number.
@@ -109,41 +111,39 @@ class Ledger:
             now: s.
         """
         written = []
+        for event in events:
+            named = event if event.id not in self._names else replace(event, id=self._fresh(event.id))
+            self._names.add(named.id)
+            written.append(named)
+        if self._take and written:
+            self._take.events(written)
         with self._lock:
-            for event in events:
-                named = event if event.id not in self._names else replace(event, id=self._fresh(event.id))
-                self._names.add(named.id)
-                self._events.append(named)
-                written.append(named)
-                self._near[named.body].append(named)
+            self._events += written
+            for event in written:
+                self._near[event.body].append(event)
             self._version += 1
             for body in {event.body for event in written}:
                 self._near[body] = _window(self._near[body], now - KEPT)
                 self._curves.pop(body, None)
-        if self._take and written:
-            self._take.events(written)
-            if len(self._events) > MOST:
-                with self._lock:
-                    self._events, self._let_go = self._events[-MOST // 2 :], True
+            if self._take and len(self._events) > MOST:
+                self._events, self._let_go = self._events[-MOST // 2 :], True
         return written
 
     def end(self, time: float) -> None:
         """All is over then."""
+        self._over(time)
+
+    def go_on(self) -> None:
+        """It is not over then."""
+        self._over(None)
+
+    def _over(self, time: float | None) -> None:
+        if self._take:
+            self._take.over(time)
         with self._lock:
             self.over = time
             self._version += 1
             self._curves.clear()
-        if self._take:
-            self._take.over(time)
-
-    def go_on(self) -> None:
-        """It is not over then."""
-        with self._lock:
-            self.over = None
-            self._version += 1
-            self._curves.clear()
-        if self._take:
-            self._take.over(None)
 
     def near(self, body: str) -> list[Event]:
         """A body's events that are not long over."""

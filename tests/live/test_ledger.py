@@ -33,6 +33,20 @@ def test_an_id_that_is_taken_gets_a_number(empty: Score) -> None:
     assert [event.id for event in ledger.score().events if event.type == "marker"] == written
 
 
+def test_what_can_be_seen_is_written(empty: Score, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever has seen something happen finds it in the take, though the performer was killed right then."""
+    with TakeWriter(tmp_path, empty) as take:
+        ledger = Ledger(empty, take)
+        seen: list[int] = []
+        monkeypatch.setattr(take, "_line", lambda _: seen.append(len(ledger.score().text + str(ledger.score().events))))
+        before = len(ledger.score().text + str(ledger.score().events))
+        ledger.text("Good evening.")
+        assert seen == [before]
+        between = len(ledger.score().text + str(ledger.score().events))
+        ledger.events([marker(1.0)], 0.0)
+        assert seen == [before, between]
+
+
 def test_a_long_performance_lies_on_the_disk(empty: Score, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "MOST", 100)
     with TakeWriter(tmp_path, empty) as take:

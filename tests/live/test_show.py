@@ -22,6 +22,7 @@ from scorebreath.errors import EnvironmentFailure, InputError
 from scorebreath.live.show import Setting, Show
 from scorebreath.media.store import FolderStore
 from scorebreath.score.cutting import endings
+from scorebreath.score.document import Score
 from scorebreath.score.events import Utterance, WarningEvent
 from scorebreath.score.take import TAKE_FILE, read_take
 from scorebreath.speech.espeak.voice import EspeakVoice
@@ -68,31 +69,35 @@ def test_a_scripted_performance_is_its_take(tmp_path: Path) -> None:
             time.sleep(0.05)
         show.desk.command("end")
         assert show.wait(PATIENCE)
-        performed = show.score()
+        performed, status = show.score(), sounder.status()
     again = read_take(take)
     assert again == performed
     assert again.duration == show.performance.over
     final = curves(again)
     assert all(np.array_equal(values, final.sample([at])[0]) for at, values in streamed.items())
-    _same_sounds(again, journal)
+    _same_sounds(again, journal, status.lost)
     media = FolderStore(take)
     assert all(name in media for name in again.media)
 
 
-def _same_sounds(score: object, journal: list[Entry]) -> None:
-    """What the engine was told to play is what an offline run of the take plays, on the same frames."""
-    from scorebreath.score.document import Score
+def _same_sounds(score: Score, journal: list[Entry], lost: int) -> None:
+    """What the engine was told to play is what an offline run of the take plays, on the same frames.
 
-    assert isinstance(score, Score)
+    Where the machine was too busy to tell it in time, a sound is later than it should be, or lost: each is counted.
+    """
     rate = 48000
-    wanted = sorted((frame_count(o.time, rate), o.event, o.instrument) for o in onsets(score) if o.duration > 0)
-    taken_back = [(entry.event, entry.instrument) for entry in journal if entry.kind == "free"]
-    told = sorted((entry.frame, entry.event, entry.instrument) for entry in journal if entry.kind == "sound")
+    wanted = {(frame_count(o.time, rate), o.event, o.instrument) for o in onsets(score) if o.duration > 0}
+    taken_back = {(entry.event, entry.instrument) for entry in journal if entry.kind == "free"}
+    sounds = [entry for entry in journal if entry.kind == "sound"]
+    late = {(entry.event, entry.instrument) for entry in sounds if entry.late > 0}
     ends = endings(score.events)
-    told = [sound for sound in told if not (sound[1] in ends and sound[0] >= frame_count(ends[sound[1]].time, rate))]
-    assert [sound for sound in told if sound[1:] not in taken_back] == [
-        sound for sound in wanted if sound[1:] not in taken_back
-    ]
+    told = {(entry.frame, entry.event, entry.instrument) for entry in sounds}
+    told = {sound for sound in told if not (sound[1] in ends and sound[0] >= frame_count(ends[sound[1]].time, rate))}
+    wanted = {sound for sound in wanted if sound[1:] not in taken_back | late}
+    told = {sound for sound in told if sound[1:] not in taken_back | late}
+    assert told <= wanted
+    assert len(wanted - told) <= lost
+    assert len(told) > 10, "a machine that is too busy for any of this shows nothing"
     start = {entry.tag - (2 * entry.frame + 1) * 2**32 // (2 * rate) for entry in journal if entry.late == 0}
     assert max(start) - min(start) < 2**32 // rate, "all tags count from one beginning"
 
