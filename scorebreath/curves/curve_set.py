@@ -153,7 +153,7 @@ def _choose(score: Score, body: str | None) -> Body:
     names = ", ".join(repr(each.id) for each in score.bodies) or "none"
     if body is None:
         if len(score.bodies) != 1:
-            raise InputError(f"whose curves? expected one of the score's bodies, {names}")
+            raise InputError(f"whose curves? expected body= (or --body) to name one of the score's bodies, {names}")
         return score.bodies[0]
     for each in score.bodies:
         if each.id == body:

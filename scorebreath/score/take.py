@@ -165,7 +165,10 @@ def read_take(folder: Path) -> Score:
     score = loads(json.dumps(plain).encode(), str(path))
     if torn:
         events.append(_torn(score, len(torn)))
-    return dataclasses.replace(score, events=tuple(events))
+    try:
+        return dataclasses.replace(score, events=tuple(events))
+    except ScoreError as error:  # of all events together, so of no line
+        raise ScoreError(f"{path}: {error}") from None
 
 
 def lasting(events: Iterable[Event], least: float = 0.0) -> float:

@@ -87,6 +87,7 @@ WRONG: dict[str, tuple[list[str], str]] = {
     "start nan": (["--start", "nan"], "--start nan"),
     "engine": (["--engine", "organ"], "organ"),
     "target": (["--to", "nowhere"], "nowhere"),
+    "nobody": (["--to", "jsonl:out.jsonl?body=bidy"], "did you mean body?"),
     "no score": (["--debug"], "SCORE is missing"),
     "a script": (["in.txt"], "scorebreath compile"),
     "nothing": (["missing.json"], "missing.json"),
@@ -102,6 +103,7 @@ def test_what_is_wrong_is_refused_in_a_line(score: Path, monkeypatch: pytest.Mon
     result = run("play", *given, *([] if name == "engine" else SILENT), *options)
     assert result.exit_code == 2
     assert said in result.stdout + result.stderr
+    assert not (score.parent / "out.jsonl").exists(), "what is refused leaves nothing behind"
     assert name == "no score" or len((result.stdout + result.stderr).splitlines()) == 1
 
 

@@ -68,6 +68,14 @@ def test_any_other_broken_line_is_refused_with_its_number(tmp_path: Path) -> Non
         read_take(tmp_path)
 
 
+def test_what_is_wrong_with_all_of_it_names_the_file(tmp_path: Path) -> None:
+    perform(tmp_path, dataclasses.replace(empty(), events=(marker("a"),)))
+    path = tmp_path / TAKE_FILE
+    path.write_bytes(path.read_bytes() + path.read_bytes().split(b"\n")[-2] + b"\n")
+    with pytest.raises(ScoreError, match=f"{TAKE_FILE}: event id 'a' is used twice"):
+        read_take(tmp_path)
+
+
 def test_a_take_is_never_written_over(tmp_path: Path) -> None:
     perform(tmp_path, empty())
     with pytest.raises(EnvironmentFailure, match="exists"):

@@ -159,6 +159,7 @@ def play(given: str, wishes: Wishes, printer: Printer) -> None:
     score, media = load_score(read_source(given))
     check_media(score, media)
     seconds_from("--start", wishes.start, score.duration)
+    _check_bodies(wishes.streams.targets, [body.id for body in score.bodies])
     teller = Teller(printer, json_lines=wishes.json_lines)
     status = Status.DONE
     ended: dict[str, Any] = {}
@@ -208,6 +209,20 @@ def _open_streams(
         lead=wishes.streams.lead, latency=player.latency, teller=teller,
     )  # fmt: skip
     player.sender.start()
+
+
+def _check_bodies(targets: Sequence[str], bodies: Sequence[str]) -> None:
+    """Refuse curves of somebody who is not there: in a finished Score, nobody joins."""
+    from scorebreath.errors import InputError, did_you_mean
+    from scorebreath.live.picture import EVERYBODY
+    from scorebreath.live.streams.addresses import parse
+
+    for text in targets:
+        target = parse(text)
+        if target.body not in ("", EVERYBODY, *bodies):
+            there = ", ".join(bodies) or "none"
+            said = f"target {target.text!r}: no body is called {shortened(target.body, 40)!r}; expected {there}"
+            raise InputError(said + did_you_mean(target.body, bodies))
 
 
 def _begun(player: Player, score: Score, sounder: LiveServer, teller: Teller) -> None:
