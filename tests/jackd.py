@@ -6,10 +6,12 @@ import itertools
 import os
 import shutil
 import subprocess
+import tempfile
 import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import IO
 
 import pytest
 
@@ -36,6 +38,12 @@ class Jack:
     env: Mapping[str, str]
     """what a program's environment needs, so that it finds this server and begins no other"""
     process: subprocess.Popen[bytes]
+    _log: IO[bytes]
+
+    def xruns(self) -> int:
+        """How often it could not keep time, and dropped blocks, so far."""
+        said = os.pread(self._log.fileno(), os.fstat(self._log.fileno()).st_size, 0)
+        return said.count(b"XRun")
 
 
 @contextmanager
@@ -52,11 +60,13 @@ def jack_server(*, synchronous: bool = True) -> Iterator[Jack]:
     before = {key: os.environ.get(key) for key in env}
     command = ["jackd", "-r", *(["-S"] if synchronous else []), "-n", name, "-d", "dummy", "-r", str(RATE), "-p", "256"]
     os.environ.update(env)
-    process = _begun(command, name)
+    log = tempfile.TemporaryFile()  # noqa: SIM115 - closed below, after its writer
+    process = _begun(command, name, log)
     try:
-        yield Jack(name=name, env=env, process=process)
+        yield Jack(name=name, env=env, process=process, _log=log)
     finally:
         end(process)
+        log.close()
         for key, value in before.items():
             if value is None:
                 os.environ.pop(key, None)
@@ -80,12 +90,10 @@ def connect(source: str, target: str) -> None:
     subprocess.run(["jack_connect", source, target], capture_output=True, timeout=10, check=True)
 
 
-def _begun(command: list[str], name: str) -> subprocess.Popen[bytes]:
+def _begun(command: list[str], name: str, log: IO[bytes]) -> subprocess.Popen[bytes]:
     """A server that takes clients. A machine holds a few of them only: where others run, it waits for its turn."""
     for _ in range(TURNS):
-        process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-        )
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log)
         if _await(process, name):
             return process
         end(process)

@@ -30,17 +30,33 @@ pytestmark = [
     ),
 ]
 SECONDS = 5
+TURNS = 5
+"""Times that it is recorded, at most."""
 STORE = MemoryStore()
 PLAIN, CUT, SOFT = (babble(0.8, RATE, seed) for seed in (1, 2, 3))
 
 
 @pytest.fixture(scope="module")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> Signal:
-    """Both outputs (2, n) of three utterances: as it is, cut after half its length, at half its gain."""
-    path = tmp_path_factory.mktemp("jack") / "out.wav"
+    """Both outputs (2, n) of three utterances: as it is, cut after half its length, at half its gain.
+
+    A recording in which JACK dropped blocks shows nothing of the engine: it is made again.
+    """
+    for _ in range(TURNS):
+        path = tmp_path_factory.mktemp("jack") / "out.wav"
+        with jack_server() as jack:
+            record(path)
+            dropped = jack.xruns()
+        if not dropped:
+            return read(path)
+    pytest.skip("JACK drops blocks: this machine is too busy to record anything")
+
+
+def record(path: Path) -> None:
+    """Perform the three, and record what the JACK that is in use hears."""
     names = [STORE.put(one, RATE, "speech") for one in (PLAIN, CUT, SOFT)]
     sounds = onsets(score([utterance(0.5 + 1.2 * number, name, 0.8) for number, name in enumerate(names)], 5.0, STORE))
-    with jack_server(), sounder_named("scsynth", mix=Mix(pans={"body": 0.5})) as sounder:
+    with sounder_named("scsynth", mix=Mix(pans={"body": 0.5})) as sounder:
         command = ["jack_rec", "-f", str(path), "-d", str(SECONDS), "-b", "32"]
         recorder = subprocess.Popen(
             [*command, "SuperCollider:out_1", "SuperCollider:out_2"],
@@ -57,8 +73,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Signal:
                 recorder.kill()
                 recorder.wait()
         status = sounder.status()
-        assert (status.lost, status.late_sent) == (0, 0)
-    return read(path)
+    assert (status.lost, status.late_sent) == (0, 0)
 
 
 def read(path: Path) -> Signal:
@@ -98,8 +113,14 @@ def test_what_is_moved_is_heard_as_it_was_moved(recorded: Signal) -> None:
 
 
 def test_nothing_else_is_heard(recorded: Signal) -> None:
-    loud = np.flatnonzero(np.abs(recorded).max(axis=0) > 1e-6)
-    assert (loud[-1] - loud[0]) / RATE == pytest.approx(2 * 1.2 + 0.8, abs=0.1)
+    """But the three, at their distances."""
+    places = [place(recorded[1], said.astype(np.float64)) for said in (PLAIN, CUT, SOFT)]
+    assert np.diff(places) / RATE == pytest.approx([1.2, 1.2], abs=0.01)
+    loud = np.abs(recorded).max(axis=0) > 1e-6
+    for first in places:
+        assert loud[first : first + RATE // 4].any()
+        loud[first : first + len(PLAIN) + 3] = False
+    assert not loud.any()
 
 
 def test_a_server_is_chosen_by_its_name(monkeypatch: pytest.MonkeyPatch) -> None:
