@@ -118,7 +118,7 @@ class Console:
     def act(self, voice: str, marks: tuple[Mark, ...]) -> None:
         """What a text without a word asks of whoever has a voice; not refused, for it was taken."""
         with suppress(OverError):
-            self._tell(lambda performance: orders.wordless(performance, voice, marks))
+            self._tell(lambda performance: orders.without_words(performance, voice, marks))
 
     def set(self, name: str, value: Setting | None, *, body: str = "", glide: float | None = None) -> None:
         """Move a parameter; None resets it."""

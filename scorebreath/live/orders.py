@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from scorebreath.ensemble import Performer
-from scorebreath.expression.emotion import wordless as alone
+from scorebreath.expression.emotion import wordless
 from scorebreath.live.interrupting import interrupt, next_break
 from scorebreath.live.moving import move
 from scorebreath.script.marks import Act, ActName, EmotionMark, Mark
@@ -45,7 +45,7 @@ def act(performance: Performance, who: Performer, name: str) -> None:
     between_words(performance, who, lambda: perform(performance, who, mark))
 
 
-def wordless(performance: Performance, voice: str, marks: Sequence[Mark]) -> None:
+def without_words(performance: Performance, voice: str, marks: Sequence[Mark]) -> None:
     """What a text without a word asks of a body: acts, states, and emotions one after the other."""
     who = performance.company.ensemble.performers.get(voice)
     if who is None:
@@ -57,7 +57,7 @@ def wordless(performance: Performance, voice: str, marks: Sequence[Mark]) -> Non
         felt = [mark for mark in marks if isinstance(mark, EmotionMark)]
         if felt and who.state.parameters.face_emotion:
             onset = snap(max(who.state.time, performance.now + performance.timing.ahead))
-            shown = alone(felt, body=who.state.body, onset=onset)
+            shown = wordless(felt, body=who.state.body, onset=onset)
             who.keep_from(shown)
             performance.shown = max(performance.shown, *(snap(event.end) for event in shown))
             performance.decisions.decide(shown)
