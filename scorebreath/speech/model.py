@@ -36,6 +36,10 @@ class VoiceDetails:
     """Hz"""
     deterministic: bool
     """equal requests give equal bytes, on one machine with one set of versions"""
+    fingerprint: str = ""
+    """what else its bytes depend on, such as the digest of a model; for the cache"""
+    heeds_context: bool = False
+    """whether it speaks otherwise for what is said before and after"""
 
     @property
     def language(self) -> str:

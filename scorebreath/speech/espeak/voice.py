@@ -10,6 +10,7 @@ from functools import cached_property
 from scorebreath.errors import VoiceError
 from scorebreath.signal.level import active_db
 from scorebreath.signal.pitch import CEILING, FLOOR
+from scorebreath.speech.calibration import LEAST_DB, TYPICAL_DB, sentences
 from scorebreath.speech.espeak.catalogue import Catalogue, catalogue
 from scorebreath.speech.espeak.launch import installed, worker_command
 from scorebreath.speech.espeak.library import SAMPLE_RATE
@@ -35,17 +36,6 @@ MANY_WORDS = 500
 """Asked for at once, they start it as well: as much will have to be spoken."""
 WORDS_AT_ONCE = 1000
 """in one request for syllables"""
-CALIBRATION = {
-    "de": "Der alte Fährmann ruderte langsam über den Fluss, und die Kinder winkten ihm vom Ufer aus nach.",
-    "en": "The old ferryman rowed slowly over the river, and the children waved to him from the bank.",
-}
-"""Language: what its voices' level is measured on."""
-CALIBRATION_ELSEWHERE = ("1 2 3 4 5 6 7 8 9 10, 20 30 40 50 60 70 80 90 100.", "La mana luna sila, nona mila sana.")
-"""In other languages: figures are read in nearly all of them, and letters in those that are silent there or crash."""
-LEAST_DB = -60.0
-"""Below, nothing was said."""
-TYPICAL_DB = -20.0
-"""Of a voice that says none of this; 20 languages lie between -18 and -23."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,9 +88,8 @@ class EspeakVoice(Voice):
     @cached_property
     def reference_db(self) -> float:
         """Active RMS of the language's calibration sentence, dB re full scale."""
-        language = self._chosen.language.code.partition("-")[0]
         problem: VoiceError | None = None
-        for text in (CALIBRATION[language],) if language in CALIBRATION else CALIBRATION_ELSEWHERE:
+        for text in sentences(self._chosen.language.code):
             asked = {"do": "speak", "text": text, "settings": asdict(self._own), "pitch": None}
             try:
                 answer = self._worker.receive(self._worker.send(asked, deadline=DEADLINE))

@@ -1,0 +1,1 @@
+"""Piper: neural voices (VITS) that give the exact length of every phone, in a worker; `joe` comes as a package."""
