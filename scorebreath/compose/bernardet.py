@@ -13,11 +13,12 @@ from dataclasses import replace
 from scorebreath.compose import acts, marked, parts
 from scorebreath.compose.chances import Chances
 from scorebreath.compose.feeling import Feeling
+from scorebreath.compose.fitting import Wanted, fit
 from scorebreath.compose.idle import NOTHING, RELAXATION, relax
 from scorebreath.compose.lungs import EMPTY
 from scorebreath.compose.phrasing import phrase
 from scorebreath.compose.placer import Placer
-from scorebreath.compose.state import BodyState, Spoken
+from scorebreath.compose.state import BodyState, Room, Spoken
 from scorebreath.equations.bernardet import volume_lung
 from scorebreath.parameters.derive import LowLevel, derive
 from scorebreath.parameters.modifiers import modifiers
@@ -51,7 +52,9 @@ def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
     placer = Placer(state=state, id=spoken.id, group=spoken.id, chances=chances, feels=feel)
     breath, named = marked.before(placer, spoken.group.before)
     inspiration = _asked(_inspiration(placer, spoken, p, low), breath, placer.state.breathing)
-    if breath is not None and breath.name == "gasp":
+    if spoken.room is not None:
+        _fitted(placer, spoken.room, inspiration)
+    elif breath is not None and breath.name == "gasp":
         acts.gasp(placer, inspiration.to_volume, acts.asked(breath))
     else:
         placer.events.append(inspiration)
@@ -135,6 +138,23 @@ def _inspiration(placer: Placer, spoken: Spoken, p: Parameters, low: LowLevel) -
         lead=placer.feeling.lead,
         noise=parts.trapezoid_noise(placer.state, spoken, onset=0.0, length=length),
     )
+
+
+def _fitted(placer: Placer, room: Room, asked: Inspiration) -> None:
+    """The inspiration as late and as long as a recording's silence lets it be, the driver reaching as far as always."""
+
+    def inhale(to: float, length: float, rule: str) -> None:
+        shape, noise = parts.ramps(length), asked.noise
+        if noise is not None:
+            noise = replace(
+                noise, duration=length, attack=shape.attack, hold=shape.hold, release=shape.release
+            )  # fmt: skip
+        placer.events.append(
+            replace(asked, onset=placer.time, duration=length, face=shape, noise=noise, rule=f"{asked.rule}; {rule}")
+        )
+        placer.time, placer.volume = snap(placer.time + length), asked.to_volume
+
+    fit(placer, room, Wanted(to=asked.to_volume, length=asked.duration, before=0.0, after=0.0), inhale)
 
 
 def _asked(breath: Inspiration, act: Act | None, wishes: BreathingMark | None) -> Inspiration:

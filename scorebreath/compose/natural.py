@@ -15,6 +15,7 @@ from scorebreath.compose import acts, marked, parts, timing
 from scorebreath.compose.acts import Asked, asked
 from scorebreath.compose.chances import Chances
 from scorebreath.compose.feeling import Feeling
+from scorebreath.compose.fitting import Wanted, fit
 from scorebreath.compose.idle import NOTHING, RELAXATION, breathe, wait
 from scorebreath.compose.lungs import TOP, initiation, levels
 from scorebreath.compose.phrasing import phrase
@@ -73,10 +74,12 @@ def step(state: BodyState, spoken: Spoken) -> tuple[BodyState, list[Event]]:
     placer = Placer(state=state, id=spoken.id, group=spoken.id, chances=chances, feels=feel)
     breath, named = marked.before(placer, spoken.group.before)
     placer.feel()
-    _sigh_by_itself(placer)
+    if spoken.room is None:
+        _sigh_by_itself(placer)
     _inspire(placer, spoken, breath)
-    edge = timing.delay(placer.p, placer.modifiers, placer.chances)
-    placer.hold("ready", edge, rule="physiology 1.4")
+    if spoken.room is None:
+        edge = timing.delay(placer.p, placer.modifiers, placer.chances)
+        placer.hold("ready", edge, rule="physiology 1.4")
     for mark in named:
         placer.marker(mark, placer.time)
     _speak(placer, spoken)
@@ -150,7 +153,8 @@ def _inspire(placer: Placer, spoken: Spoken, breath: Act | None) -> None:
     left = to - placer.levels.floor
     if need > left + 1e-6:
         _warn(placer, spoken.group, need, left)
-    if (breath and breath.name == "gasp") or (not breath and chances.happens("gasp", m.gasp_chance)):
+    gasps = (breath and breath.name == "gasp") or (not breath and chances.happens("gasp", m.gasp_chance))
+    if gasps and spoken.room is None:
         how = asked(breath) if breath else Asked(rule="physiology 4.2: gasps")
         acts.gasp(placer, min(TOP, to), how)
         return
@@ -171,10 +175,19 @@ def _inspire(placer: Placer, spoken: Spoken, breath: Act | None) -> None:
     rule = (
         f"physiology 1.3: {syllables} syllables to come, after {state.site}{', quick at surprise' if startled else ''}"
     )
-    placer.inhale(
-        "in", to, length, rule=f"asked: {breath.written}" if breath else rule, air=Air(extra_db=louder),
-        saccades=m.saccades, origin="markup" if breath else "rule",
-    )  # fmt: skip
+
+    def inhale(to: float, length: float, rule: str) -> None:
+        placer.inhale(
+            "in", to, length, rule=rule, air=Air(extra_db=louder), saccades=m.saccades,
+            origin="markup" if breath else "rule",
+        )  # fmt: skip
+
+    if spoken.room is not None:
+        before = timing.silence(p, m, chances, state.site)[1]
+        after = timing.delay(p, m, chances)
+        fit(placer, spoken.room, Wanted(to=to, length=length, before=before, after=after), inhale)
+        return
+    inhale(to, length, f"asked: {breath.written}" if breath else rule)
     if startled or chances.happens("hold", m.hold_chance):
         held = chances.about("hold.length", max(m.hold_length, SHORT_HOLD if startled else 0.0), 0.3)
         placer.hold("held", held, rule="physiology 4.2: holds at surprise" if startled else "physiology 4.2: holds",
@@ -241,6 +254,9 @@ def _fall_silent(placer: Placer, spoken: Spoken) -> None:
     placer.feel()
     p, m, chances, group = placer.p, placer.modifiers, placer.chances, spoken.group
     kind, length = timing.silence(p, m, chances, group.cut.site)
+    if spoken.room is not None and spoken.room.silence is not None:
+        placer.pause("pause", kind, spoken.room.silence, rule="as recorded")
+        return
     if group.ends_sentence and chances.happens("laugh", m.laugh_chance):
         placer.hold("before_laugh", 0.12, rule="physiology 4.2")
         acts.perform(placer, "laugh", Asked(rule="physiology 4.2: laughs"))

@@ -54,6 +54,32 @@ class SpokenPart:
     """SHA-256 of its samples"""
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class KeptBreath:
+    """A breath that is heard in a recording, and stays as it is."""
+
+    onset: float
+    """s of the Score"""
+    duration: float
+    """s"""
+    media: str
+    """SHA-256 of its samples, made ready as any recording of a breath"""
+    level_db: float
+    """at which it sounds as recorded, relative to the voice's reference"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Room:
+    """The time that a recording leaves: its speech stays where it is, and the breath has to fit before it."""
+
+    onset: float
+    """s of the Score: the speech begins here"""
+    silence: float | None
+    """s between its end and the next group's speech; None: it is the last"""
+    breath: KeptBreath | None = None
+    """the breath before it that is kept"""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Spoken:
     """A breath group that has been spoken and measured."""
@@ -65,6 +91,8 @@ class Spoken:
     """key of its chance: its words and which occurrence of them it is"""
     parts: tuple[SpokenPart, ...]
     """one for each of the group's"""
+    room: Room | None = None
+    """where it must stand in time; None: as soon as the body has breathed for it"""
 
 
 class Places:
