@@ -12,6 +12,9 @@ from hypothesis import HealthCheck, settings
 PROGRAMS = {"scsynth": ("scsynth",), "browser": ("chromium", "chromium-browser", "google-chrome")}
 """Marker: the programs of which one is needed."""
 
+os.environ["SCOREBREATH_CACHE"] = "off"
+"""Tests say themselves where a cache is: never the user's, and nothing goes from one test to the next."""
+
 settings.register_profile("dev", deadline=None)
 settings.register_profile(
     "ci", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow], print_blob=True

@@ -11,6 +11,7 @@ import typer
 from typer.core import TyperGroup
 
 from scorebreath_cli import printers
+from scorebreath_cli.commands.cache import cache
 from scorebreath_cli.commands.compile import compile_
 from scorebreath_cli.commands.curves import curves
 from scorebreath_cli.commands.doctor import doctor
@@ -95,6 +96,9 @@ COMMANDS: tuple[tuple[str, Callable[..., None], str, Examples], ...] = (
         "scorebreath render speech.txt -o out --preset formal-tts",
     )),
     ("voices", voices, LOOK, ("scorebreath voices", "scorebreath render speech.txt -o out --voice espeak:en-us+f3")),
+    ("cache", cache, LOOK, (
+        "scorebreath cache", "scorebreath cache --clear --voice piper:joe", "scorebreath cache --prune 500MB",
+    )),
     ("rigs", rigs, LOOK, ("scorebreath rigs", "scorebreath curves --describe --rig arkit")),
     ("formats", formats, LOOK, ("scorebreath formats", "scorebreath formats --json")),
     ("schema", schema, LOOK, ("scorebreath schema > score.schema.json",)),

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
+from scorebreath.errors import InputError
 from scorebreath_cli.inputs import Source
 from scorebreath_cli.printers import Printer
 from scorebreath_cli.settings import (
@@ -33,14 +34,15 @@ MOST_WARNINGS = 5
 class Compiler:
     """Compiles every script of a run with one voice, opened when it is first needed and closed at the end."""
 
-    def __init__(self, options: CompileOptions, printer: Printer) -> None:
+    def __init__(self, options: CompileOptions, printer: Printer, *, cache: bool = True) -> None:
         """Nothing starts yet.
 
         Args:
             options: How to compile.
             printer: Told how far it is.
+            cache: Whether what was said before is not said again.
         """
-        self.options, self._printer = options, printer
+        self.options, self._printer, self._cache = options, printer, cache
         self._voices: dict[tuple[str, str], Voice] = {}
         self._described = False
 
@@ -58,12 +60,38 @@ class Compiler:
         language = self.options.language or language or DEFAULT_LANGUAGE
         key = name or self.options.voice or DEFAULT_VOICE, language
         if key not in self._voices:
-            from scorebreath.speech.voices import open_voice
+            from scorebreath.speech.voices import BEST, open_voice
 
-            self._voices[key] = open_voice(*key)
-            if said := _without_region(language, self._voices[key]):
+            self._voices[key] = self._remembering(open_voice(*key))
+            if key[0].lower() == BEST:
+                self._printer.note(f"voice {BEST}: {self._voices[key].details.voice}")
+            if said := _elsewhere(language, self._voices[key]):
                 self._printer.note(said)
         return self._voices[key]
+
+    def _remembering(self, voice: Voice) -> Voice:
+        """With a memory, unless none is wanted."""
+        if not self._cache:
+            return voice
+        from scorebreath.speech.cache.voice import cached
+
+        try:
+            return cached(voice)
+        except InputError:
+            voice.close()
+            raise
+
+    def _tell_cache(self) -> None:
+        """How much was spoken, and how much was known; to programs, and to people what went wrong."""
+        from scorebreath.speech.cache.voice import CachedVoice
+
+        for voice in dict.fromkeys(self._voices.values()):
+            if isinstance(voice, CachedVoice) and voice.spoken + voice.kept:
+                about = {"voice": voice.details.voice, "spoken": voice.spoken, "kept": voice.kept}
+                self._printer.item("cache", about, "")
+                voice.spoken = voice.kept = 0
+                if voice.shelf.problem:
+                    self._printer.note(f"cache: {voice.shelf.problem}")
 
     def language(self, text: Marked) -> str:
         """What a text is read as: as the options say, or the text, or the only language of the voice that is named."""
@@ -139,6 +167,7 @@ class Compiler:
             on_progress=lambda fraction: self._printer.progress("speak", fraction),
         )
         self._printer.progress("speak", 1.0)
+        self._tell_cache()
         warnings = [event.text for event in score.of(WarningEvent)]
         for said in warnings[:MOST_WARNINGS]:
             self._printer.note(f"{source.name}: {said}")
@@ -171,18 +200,21 @@ def text_of(source: Source, options: CompileOptions) -> Marked:
     return marked(decode(source.data, source.name), markup=markup, language=options.language, file=source.name)
 
 
-def _without_region(language: str, voice: Voice) -> str:
-    """What to say where a region is asked for that the voice does not have; nothing where all is as it should be.
+def _elsewhere(language: str, voice: Voice) -> str:
+    """What to say where a voice speaks another language, or has not the region asked for; nothing where all is well.
 
     `de-DE`, the region that is called as its language, is taken as `de` without a word.
     """
-    tag = language.lower().replace("_", "-")
-    primary, _, rest = tag.partition("-")
-    if rest in ("", primary):
-        return ""
     from scorebreath.speech.model import ANY_LANGUAGE
 
     details = voice.details
-    if tag in (known.lower() for known in details.languages) or ANY_LANGUAGE in details.languages:
+    tag = language.lower().replace("_", "-")
+    primary, _, rest = tag.partition("-")
+    known = [spoken.lower() for spoken in details.languages]
+    if ANY_LANGUAGE in known or tag in known:
+        return ""
+    if primary not in (spoken.partition("-")[0] for spoken in known):
+        return f"language {language}: {details.voice} speaks {details.languages[0]}; the text is read as {primary}"
+    if rest in ("", primary):
         return ""
     return f"language {language}: {details.voice} has nothing of its own for it; the text is read as {primary}"

@@ -241,6 +241,14 @@ Rigs = Annotated[
     ),
 ]  # fmt: skip
 
+NoCache = Annotated[
+    bool,
+    typer.Option(
+        "--no-cache", help="Speak everything anew, and keep nothing of it; see `scorebreath cache`.",
+        rich_help_panel=COMPILING,
+    ),
+]  # fmt: skip
+
 Force = Annotated[bool, typer.Option("--force", "-f", help="Replace output that is there already.")]
 Json = Annotated[bool, typer.Option("--json", help="Tell what happens as one JSON object a line, on stdout.")]
 Debug = Annotated[bool, typer.Option("--debug", envvar="SCOREBREATH_DEBUG", help="Show tracebacks.")]

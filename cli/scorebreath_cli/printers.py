@@ -211,7 +211,9 @@ class HumanPrinter:
         console.print(table)
 
     def item(self, event: str, row: Row, text: str) -> None:
-        """The text, on stdout."""
+        """The text, on stdout, where there is any."""
+        if not text:
+            return
         self.close()
         _print(text)
 

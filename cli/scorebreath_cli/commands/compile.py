@@ -36,6 +36,7 @@ def compile_(
     breath_motion: o.BreathMotion = None,
     face: o.Face = None,
     without: o.Without = None,
+    no_cache: o.NoCache = False,
     force: o.Force = False,
     json_lines: o.Json = False,
     debug: o.Debug = False,
@@ -66,7 +67,7 @@ def compile_(
         else:
             refuse_own_input(script, [path])
             refuse_existing(path.parent, (path.name,), force=force)
-        with Compiler(options, printer) as compiler:
+        with Compiler(options, printer, cache=not no_cache) as compiler:
             source = read_source(script)
             if source.compiled:
                 raise InputError(f"{source.name}: is a score already; expected a script")

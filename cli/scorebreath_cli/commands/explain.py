@@ -54,6 +54,7 @@ def explain(
     language: o.Language = None,
     poem: o.Poem = None,
     without: o.Without = None,
+    no_cache: o.NoCache = False,
     json_lines: o.Json = False,
     debug: o.Debug = False,
 ) -> None:
@@ -80,7 +81,7 @@ def explain(
         if body is not None and not of_face:
             raise InputError("--body: groups are shown of all bodies; it belongs to --face")
         source = read_source(script)
-        with Compiler(options, printer) as compiler:
+        with Compiler(options, printer, cache=not no_cache) as compiler:
             if of_face:
                 _explain_face(source, compiler, body, printer)
                 return

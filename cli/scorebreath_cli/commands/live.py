@@ -59,6 +59,7 @@ def live(
     breath_motion: o.BreathMotion = None,
     face: o.Face = None,
     without: o.Without = None,
+    no_cache: o.NoCache = False,
     json_lines: o.Json = False,
     debug: o.Debug = False,
 ) -> None:  # fmt: skip
@@ -97,5 +98,5 @@ def live(
             ),
             take=take, preview=preview_port or 0 if shown else None, screen=screen, stay=stay, json_lines=json_lines,
         )  # fmt: skip
-        with Compiler(options, printer) as compiler:
+        with Compiler(options, printer, cache=not no_cache) as compiler:
             perform(texts or (), wishes, compiler, printer)

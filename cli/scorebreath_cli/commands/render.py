@@ -45,6 +45,7 @@ def render(
     breath_motion: o.BreathMotion = None,
     face: o.Face = None,
     without: o.Without = None,
+    no_cache: o.NoCache = False,
     engine: o.Engine = DEFAULT_ENGINE,
     rate: o.Rate = 48000,
     fps: o.Fps = "60",
@@ -77,7 +78,7 @@ def render(
 
         check_engine(engine)
         sound = SoundOptions(engine=engine, rate=rate, fps=fps, rigs=tuple(dict.fromkeys(rig or ())))
-        with Compiler(options, printer) as compiler:
+        with Compiler(options, printer, cache=not no_cache) as compiler:
             renderer = Renderer(compiler, sound, printer)
             if output == STANDARD:
                 if len(inputs) > 1 or json_lines or rig:
