@@ -17,8 +17,9 @@ ENVIRONMENT = {
     **{name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"},
     "PYTHONPATH": os.pathsep.join(str(ROOT / part) for part in (".", "cli", "synthdefs")),
     "COLUMNS": "100",
+    "SCOREBREATH_CACHE": "off",
 }
-"""As users have it: with modules compiled once, not at every start."""
+"""As users have it: with modules compiled once, not at every start. Nothing is known from the time before."""
 PROGRAM = (sys.executable, "-c", "from scorebreath_cli.main import main; main()")
 
 

