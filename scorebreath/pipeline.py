@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from importlib import metadata
 
 from scorebreath.compose.models import breathing_model
-from scorebreath.compose.parts import closing
-from scorebreath.compose.state import Places, Spoken, SpokenPart
+from scorebreath.compose.speaking import Speaking, media_info
+from scorebreath.compose.state import Places, Spoken
 from scorebreath.ensemble import BODY, Ensemble, Performer
 from scorebreath.media.recordings import Recordings
 from scorebreath.media.store import FolderStore, MediaStore
@@ -25,7 +25,7 @@ from scorebreath.script.marks import StateMark
 from scorebreath.script.markup.marked import Marked, Markup, marked
 from scorebreath.script.model import Script, Sentence
 from scorebreath.script.reader import read
-from scorebreath.speech.model import Speech, SpeechRequest, Voice
+from scorebreath.speech.model import SpeechRequest, Voice
 
 SENTENCES_AT_ONCE = 200
 """whose syllables a voice is asked for together"""
@@ -98,10 +98,10 @@ def compile_text(
     groups: list[Group] = []
     sounds: dict[str, MediaInfo] = {}
     planned = plan_script(script, parameters=p, model=model, count=voice.syllables, states=begun, seed=seed, cast=cast)
-    for spoken in speak(planned, ensemble.performer, media):
+    for spoken in speak(planned, ensemble.performer, media, language=script.language, moved=breathing.has_states):
         who = ensemble.step(spoken)
         groups.append(group_of(spoken, who.state.body))
-        sounds.update((said.media, _media_info(said)) for said in spoken.parts)
+        sounds.update((said.media, media_info(said)) for said in spoken.parts)
         if on_progress:
             on_progress(min(1.0, spoken.group.source.end / len(script.text)))
     if not groups:
@@ -163,17 +163,34 @@ def _counted(sentences: Sequence[Sentence], count: SyllableCounter) -> Iterator[
         yield from block
 
 
-def speak(groups: Iterable[BreathGroup], performer: Callable[[str], Performer], media: MediaStore) -> Iterator[Spoken]:
+def speak(
+    groups: Iterable[BreathGroup],
+    performer: Callable[[str], Performer],
+    media: MediaStore,
+    *,
+    language: str,
+    moved: bool,
+) -> Iterator[Spoken]:
     """Have each group spoken by its performer, its samples put into `media`.
 
     A voice works ahead of whoever takes what it says.
+
+    Args:
+        groups: In their order.
+        performer: Who speaks with a voice, by its name.
+        media: Where samples go.
+        language: BCP 47.
+        moved: Whether emotions and effort move the voice.
     """
     places = Places()
     numbers = itertools.count(1)
+    speaking: dict[str, Speaking] = {}
     for name, run in itertools.groupby(groups, key=lambda group: group.voice):
         who = performer(name)
+        how = speaking.setdefault(name, Speaking(language=language, moved=moved))
+        how.before = ""
         waiting: deque[BreathGroup] = deque()
-        said = iter(who.voice.speak_all(_requests(run, waiting, who.state.parameters)))
+        said = iter(who.voice.speak_all(_requests(run, waiting, how, who.state.parameters)))
         while True:
             first = next(said, None)
             if first is None:
@@ -184,34 +201,16 @@ def speak(groups: Iterable[BreathGroup], performer: Callable[[str], Performer], 
                 group=group,
                 id=f"{BODY}.g{next(numbers)}",
                 place=places.key(emoticons.without(group.text)),
-                parts=tuple(
-                    SpokenPart(part=part, speech=speech, media=media.put(speech.samples, speech.sample_rate, "speech"))
-                    for part, speech in zip(group.parts, speeches, strict=True)
-                ),
+                parts=how.spoken(group, speeches, who.state.parameters, media),
             )
 
 
 def _requests(
-    groups: Iterable[BreathGroup], waiting: deque[BreathGroup], parameters: Parameters
+    groups: Iterable[BreathGroup], waiting: deque[BreathGroup], how: Speaking, parameters: Parameters
 ) -> Iterator[SpeechRequest]:
-    before = ""
     for group in groups:
         waiting.append(group)
-        for part in group.parts:
-            prosody = part.prosody
-            yield SpeechRequest(
-                text=part.spoken,
-                closing=closing(part),
-                rate=_within(parameters.prosody_rate * (prosody.rate if prosody else 1.0)),
-                pitch=_within(parameters.prosody_pitch * (prosody.pitch if prosody else 1.0)),
-                before=before,
-            )
-            before = part.spoken.text
-
-
-def _within(ratio: float) -> float:
-    """What a voice can do."""
-    return min(2.0, max(0.5, ratio))
+        yield from how.requests(group, parameters)
 
 
 def made_by() -> str:
@@ -233,16 +232,6 @@ def group_of(spoken: Spoken, body: str) -> Group:
         syllables=group.syllables,
         sentence_type=group.sentence_type,
         cut=group.cut,
-    )
-
-
-def _media_info(said: SpokenPart) -> MediaInfo:
-    speech: Speech = said.speech
-    return MediaInfo(
-        path=FolderStore.path(said.media, "speech"),
-        frames=len(speech.samples),
-        sample_rate=speech.sample_rate,
-        kind="speech",
     )
 
 

@@ -114,8 +114,8 @@ def _voices() -> Iterator[Check]:
 
     for voice in list_voices():
 
-        def speak(name: str = voice.name) -> str:
-            return _spoken(name)
+        def speak(row: VoiceRow = voice) -> str:
+            return "files of your own" if row.files else _spoken(row.name)
 
         def version(row: VoiceRow = voice) -> str:
             if not row.installed:

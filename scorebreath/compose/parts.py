@@ -105,7 +105,7 @@ def utterance(
         duration=snap(speech.duration),
         rule="speech" if prosody is None else f"speech {prosody.written}",
         media=said.media,
-        gain_db=snap(decibels(low.prosody_loudness / 100.0) + louder),
+        gain_db=snap(decibels(low.prosody_loudness / 100.0) + louder + said.gain_db),
         closing=closing(said.part),
         words=words,
         phones=speech.phones,

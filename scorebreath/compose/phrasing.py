@@ -13,11 +13,11 @@ from itertools import takewhile
 from typing import NamedTuple
 
 from scorebreath.compose.placer import Placer
+from scorebreath.compose.sentences import CLOSING, SentenceSaid, opening_left, quotation, sentences_of
 from scorebreath.compose.wording import owners
 from scorebreath.planning.model import Part
 from scorebreath.score.event import PauseKind, SentenceType
 from scorebreath.score.events import Pause, Phrase, Utterance
-from scorebreath.script.asking import OPENING, asks_for_word
 from scorebreath.script.model import Edge, ScriptWord
 from scorebreath.units import snap
 
@@ -27,8 +27,6 @@ ROUNDING = 0.001
 """s; eSpeak NG's pauses of 150 ms are some samples shorter."""
 CONTINUING, LOW, HIGH = "h-l%", "l-l%", "h-h%"
 """ToBI: it goes on (S3, table 2); a statement ends; a question does."""
-CLOSING: tuple[Edge, ...] = ("paragraph", "sentence")
-"""Edges that end a sentence."""
 
 
 class Ending(NamedTuple):
@@ -62,17 +60,6 @@ CUT = Ending(4, CONTINUING, "end of the utterance")
 """Where nothing is written, but the utterance ends: the voice was asked to sound as if it went on."""
 INNER: tuple[tuple[str, str], ...] = (("...", CONTINUING), ("?", HIGH), ("!", LOW), (".", LOW))
 """Tones of marks inside a sentence, behind what is quoted, say; first match wins."""
-TYPES: dict[str, SentenceType] = {"?": "question", "!": "exclamation"}
-"""Sentences by the mark a voice is given for their end; all others are statements."""
-
-
-class _Sentence(NamedTuple):
-    """The sentence a word belongs to, as far as it is known."""
-
-    type: SentenceType
-    openings: tuple[tuple[str, ...], ...]
-    """first words of its phrases"""
-    stanza: int | None
 
 
 class _Spoken(NamedTuple):
@@ -101,7 +88,7 @@ class _Phrase(NamedTuple):
     words: Sequence[ScriptWord]
     ending: Ending
     final: bool
-    sentence: _Sentence
+    sentence: SentenceSaid
     silence: float
     """s, behind it"""
 
@@ -118,7 +105,7 @@ def phrase(placer: Placer, said: Sequence[tuple[Utterance, Part]]) -> None:
     """
     state, body, group = placer.state, placer.state.body, placer.group
     parts = [part for _, part in said]
-    sentences = _sentences(parts, state.opening)
+    sentences = sentences_of(parts, state.opening)
     for number, one in enumerate(_divided(_spoken(said), parts, sentences, state.language), 1):
         name = f"{placer.id}.phrase{number}"
         onset, end = snap(one.onset), snap(one.end)
@@ -139,8 +126,7 @@ def phrase(placer: Placer, said: Sequence[tuple[Utterance, Part]]) -> None:
                     rule="silence in speech", kind=one.ending.silence,
                 )
             )  # fmt: skip
-    going_on = sentences and not parts[-1].ends_sentence
-    placer.state = replace(state, opening=sentences[-1].openings[0] if going_on else ())
+    placer.state = replace(state, opening=opening_left(parts, sentences))
 
 
 def _spoken(said: Sequence[tuple[Utterance, Part]]) -> list[_Spoken]:
@@ -185,7 +171,7 @@ def _hush(speech: Utterance, direction: int) -> float:
 
 
 def _divided(
-    spoken: Sequence[_Spoken], parts: Sequence[Part], sentences: Sequence[_Sentence], language: str
+    spoken: Sequence[_Spoken], parts: Sequence[Part], sentences: Sequence[SentenceSaid], language: str
 ) -> Iterator[_Phrase]:
     """The phrases of a group, in order; none where it has no words."""
     words = [word for part in parts for word in part.words]
@@ -201,7 +187,7 @@ def _divided(
         sentence = sentences[last]
         quoted = not final and ending.tone == HIGH  # a question that ends, though the sentence around it goes on
         if quoted:
-            sentence = _Sentence("question", (_opening((), said[_quoted(said) or 0 :]),), sentence.stanza)
+            sentence = quotation(said, sentence.stanza)
         elif not final and ending.tone == LOW and sentence.type == "question":  # "Never!" or "Yes.", quoted
             own: SentenceType = "exclamation" if place and place.spoken.text.endswith("!") else "statement"
             sentence = sentence._replace(type=own)
@@ -255,69 +241,9 @@ def _ending(word: ScriptWord | None, *, heard: bool, over: bool) -> Ending | Non
     return SILENT if heard else None
 
 
-def _tone(sentence: _Sentence, language: str) -> str:
+def _tone(sentence: SentenceSaid, language: str) -> str:
     """Questions for yes or no rise; those for a word fall, as statements do."""
-    return HIGH if sentence.type == "question" and not asks_for_word(sentence.openings, language) else LOW
-
-
-def _sentences(parts: Sequence[Part], opening: tuple[str, ...]) -> list[_Sentence]:
-    """The sentence of each word of a group; of the first one, `opening` is what was said of it before."""
-    out: list[_Sentence] = []
-    own: list[ScriptWord] = []
-    stanza: int | None = None
-    for number, part in enumerate(parts, 1):
-        if not own:
-            stanza = part.stanza
-        for stop, word in enumerate(part.words, 1):
-            own.append(word)
-            last = stop == len(part.words)
-            if word.edge not in CLOSING and not (last and (number == len(parts) or part.ends_sentence)):
-                continue
-            kind = part.sentence_type if last else TYPES.get(word.spoken.text[-1:], "statement")
-            ended = word.edge in CLOSING or part.ends_sentence
-            sentence = _Sentence(kind, _openings(own, opening, ended=ended), stanza)
-            before = _asked_from(own, ended=ended) if kind == "question" else 0
-            out += [sentence._replace(type="statement")] * before + [sentence] * (len(own) - before)
-            own, opening = [], ()
-            if stanza is not None and word.edge == "paragraph":
-                stanza += 1
-    return out
-
-
-def _openings(own: Sequence[ScriptWord], begun: tuple[str, ...], *, ended: bool) -> tuple[tuple[str, ...], ...]:
-    """The first words of a sentence's phrases, the first of which has begun already with `begun`.
-
-    Where what ends a sentence is quoted, the mark at its end is the quotation's: that begins where it opens.
-    """
-    starts = [0, *(place for place, word in enumerate(own[:-1], 1) if word.edge in EDGES)]
-    quoted = _asked_from(own, ended=ended)
-    if quoted:
-        starts, begun = [quoted, *(place for place in starts if place > quoted)], ()
-    return tuple(_opening(begun if not number else (), own[start:]) for number, start in enumerate(starts))
-
-
-def _asked_from(own: Sequence[ScriptWord], *, ended: bool) -> int:
-    """Where what a sentence ends with begins: with its last quotation, if the mark at its end is quoted; else 0."""
-    last = own[-1]
-    closed = ended and bool(last.spoken.runs) and last.spoken.runs[-1].source.end < last.source.end
-    return (_quoted(own) or 0) if closed else 0
-
-
-def _quoted(words: Sequence[ScriptWord]) -> int | None:
-    """The last word that something unspoken, such as a quotation mark, stands before; None: there is none."""
-    return next(
-        (
-            place
-            for place in range(len(words) - 1, -1, -1)
-            if words[place].spoken.runs and words[place].source.start < words[place].spoken.runs[0].source.start
-        ),
-        None,
-    )
-
-
-def _opening(begun: tuple[str, ...], words: Sequence[ScriptWord]) -> tuple[str, ...]:
-    """The first words of what has begun already and goes on with `words`."""
-    return (*begun, *(spoken for one in words[:OPENING] for spoken in one.words))[:OPENING]
+    return HIGH if sentence.rises(language) else LOW
 
 
 def _silences(speech: Utterance) -> list[float]:

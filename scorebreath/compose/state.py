@@ -52,6 +52,8 @@ class SpokenPart:
     speech: Speech
     media: str
     """SHA-256 of its samples"""
+    gain_db: float = 0.0
+    """louder than the voice by itself, for effort"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

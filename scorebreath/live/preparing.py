@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from scorebreath.compose.parts import closing
+from scorebreath.compose.models import breathing_model
+from scorebreath.compose.speaking import Speaking, media_info
 from scorebreath.compose.state import SpokenPart
 from scorebreath.errors import ScorebreathError
 from scorebreath.live.prompter import NOTHING, Prompter
-from scorebreath.media.store import FolderStore, MediaStore
+from scorebreath.media.store import MediaStore
 from scorebreath.parameters.table import Parameters
 from scorebreath.planning.model import BreathGroup
 from scorebreath.score.document import MediaInfo
-from scorebreath.speech.model import SpeechRequest, Voice
+from scorebreath.speech.model import Voice
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -55,6 +56,7 @@ class Preparer:
         """whether a voice is at work"""
         self._voices, self._parameters, self._media = voices, parameters, media
         self._before = ""
+        self._speaking: dict[str, Speaking] = {}
 
     def work(self, flush: int = NOTHING) -> Prepared | None:
         """The next group, spoken; None where more text is needed. Takes as long as the voice does."""
@@ -71,35 +73,17 @@ class Preparer:
             return Prepared(group=group, parts=(), media={}, generation=generation, problem=said)
         finally:
             self.speaking = False
-        return Prepared(group=group, parts=parts, media=_media(parts), generation=generation)
+        return Prepared(
+            group=group, parts=parts, media={said.media: media_info(said) for said in parts}, generation=generation
+        )
 
     def _speak(self, group: BreathGroup, voice: Voice, parameters: Parameters) -> tuple[SpokenPart, ...]:
-        spoken = []
-        for part in group.parts:
-            prosody = part.prosody
-            request = SpeechRequest(
-                text=part.spoken,
-                closing=closing(part),
-                rate=_within(parameters.prosody_rate * (prosody.rate if prosody else 1.0)),
-                pitch=_within(parameters.prosody_pitch * (prosody.pitch if prosody else 1.0)),
-                before=self._before,
-            )
-            speech = voice.speak(request)
-            self._before = part.spoken.text
-            media = self._media.put(speech.samples, speech.sample_rate, "speech")
-            spoken.append(SpokenPart(part=part, speech=speech, media=media))
-        return tuple(spoken)
-
-
-def _within(ratio: float) -> float:
-    return min(2.0, max(0.5, ratio))
-
-
-def _media(parts: tuple[SpokenPart, ...]) -> dict[str, MediaInfo]:
-    return {
-        said.media: MediaInfo(
-            path=FolderStore.path(said.media, "speech"), frames=len(said.speech.samples),
-            sample_rate=said.speech.sample_rate, kind="speech",
-        )
-        for said in parts
-    }  # fmt: skip
+        if group.voice not in self._speaking:
+            plan = self.prompter.plan
+            moved = breathing_model(plan.model).has_states
+            self._speaking[group.voice] = Speaking(language=plan.language, moved=moved)
+        how = self._speaking[group.voice]
+        how.before = self._before
+        said = [voice.speak(request) for request in how.requests(group, parameters)]
+        self._before = how.before
+        return how.spoken(group, said, parameters, self._media)

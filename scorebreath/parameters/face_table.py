@@ -7,14 +7,14 @@ from __future__ import annotations
 
 from typing import Literal
 
-from scorebreath.parameters.breath_table import BreathTable
 from scorebreath.parameters.row import row
+from scorebreath.parameters.voice_table import VoiceTable
 
 FACES = ("restrained", "albrecht-2002")
 """The ways a face can behave, each a table of `faces.toml`."""
 
 
-class FaceTable(BreathTable):
+class FaceTable(VoiceTable):
     """What moves lids, brows, head and eyes."""
 
     face: Literal["restrained", "albrecht-2002"] = row(

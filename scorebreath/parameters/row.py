@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-Level = Literal["abstract", "low", "person", "natural", "face", "output"]
+Level = Literal["abstract", "low", "person", "natural", "voice", "face", "output"]
 
 
 def row(

@@ -24,6 +24,38 @@ class Meaning(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class VoiceChange:
+    """What an emotion does to a voice (A58)."""
+
+    pitch: float = 0.0
+    """st, its mean"""
+    range: float = 1.0
+    """x what its pitch does around the mean"""
+    rate: float = 1.0
+    """x"""
+    effort: float = 0.0
+    """dB"""
+
+    def by(self, share: float) -> VoiceChange:
+        """So much of it.
+
+        >>> VoiceChange(pitch=2.0, range=1.4, effort=-4.0).by(0.5)
+        VoiceChange(pitch=1.0, range=1.2, rate=1.0, effort=-2.0)
+        """
+        return VoiceChange(
+            pitch=self.pitch * share, range=1.0 + (self.range - 1.0) * share, rate=1.0 + (self.rate - 1.0) * share,
+            effort=self.effort * share,
+        )  # fmt: skip
+
+    def with_(self, other: VoiceChange) -> VoiceChange:
+        """Both of them, added up."""
+        return VoiceChange(
+            pitch=self.pitch + other.pitch, range=self.range + other.range - 1.0, rate=self.rate + other.rate - 1.0,
+            effort=self.effort + other.effort,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class EmotionRow:
     """One row of the table."""
 
@@ -33,6 +65,8 @@ class EmotionRow:
     """other words for it"""
     state: str
     """of breathing, that goes with it (B60)"""
+    voice: VoiceChange
+    """what a full one does to the voice"""
     signs: Mapping[str, float]
     """emoticons and emoji as `bare` leaves them, and how much of the emotion they show"""
 
@@ -58,7 +92,8 @@ def _row(name: str, told: Mapping[str, Any]) -> EmotionRow:
         for kind in ("emoticons", "emoji")
         for sign in group.get(kind, ())
     }
-    return EmotionRow(name=name, words=tuple(told["words"]), state=told["state"], signs=signs)
+    voice = VoiceChange(**{key: float(value) for key, value in told["voice"].items()})
+    return EmotionRow(name=name, words=tuple(told["words"]), state=told["state"], voice=voice, signs=signs)
 
 
 @cache

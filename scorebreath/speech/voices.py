@@ -41,6 +41,8 @@ class VoiceRow:
     """equal requests give equal bytes, on one machine with one set of versions"""
     variants: tuple[str, ...] = ()
     """what may follow a `+` in the name"""
+    files: bool = False
+    """whether it stands for files of the user's own, so that its name is no voice by itself"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -178,6 +180,7 @@ def _piper_rows() -> Iterator[VoiceRow]:
         installed=bool(engine),
         how="" if engine else how,
         deterministic=True,
+        files=True,
     )
 
 

@@ -26,7 +26,7 @@ def test_every_row_says_what_it_is(name: str) -> None:
     assert isinstance(extra, dict)
     assert row.description
     assert extra["source"]
-    assert extra["level"] in ("abstract", "low", "person", "natural", "face", "output")
+    assert extra["level"] in ("abstract", "low", "person", "natural", "voice", "face", "output")
     assert osc_address(name).startswith("/scorebreath/")
     if row.default is not None and bounds(name):
         low, high = bounds(name) or (0.0, 0.0)

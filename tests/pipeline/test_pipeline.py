@@ -126,7 +126,7 @@ def test_text_that_arrives_in_pieces_makes_the_same_events(voice: Voice, model: 
         breathing=breathing, voice=voice, voices=None, parameters=p, cast={}, language="en", seed=0, recordings=None
     )
     ensemble.begin(0.5, ())
-    for spoken in speak(arriving(), ensemble.performer, MemoryStore()):
+    for spoken in speak(arriving(), ensemble.performer, MemoryStore(), language="en", moved=True):
         ensemble.step(spoken)
     assert ensemble.finish(1.0) == whole.duration
     assert tuple(ensemble.events()) == whole.events

@@ -313,9 +313,8 @@ def test_without_their_share_of_the_breath_emoticons_change_none(english: Voice,
     """Chance knows the words alone."""
 
     def breath(written: str) -> list[tuple[object, ...]]:
-        score = compile_text(
-            written, voice=english, media=MemoryStore(), model=model, parameters=Parameters(emotion_breath=0.0), seed=3
-        )
+        p = Parameters(emotion_breath=0.0, emotion_voice=0.0)
+        score = compile_text(written, voice=english, media=MemoryStore(), model=model, parameters=p, seed=3)
         shown = [*score.of(Inspiration), *score.of(Hold), *score.of(Utterance), *score.of(Marker)]
         return [
             (event.onset, event.duration, getattr(event, "volume", None), getattr(event, "noise", None))
@@ -394,7 +393,8 @@ def test_no_blink_comes_into_the_way_of_a_wink_without_words(seed: int) -> None:
 )
 def test_marks_around_an_emoticon_make_no_phrase(text: str, plain: str, english: Voice) -> None:
     """A9, and the brackets of a remark that one ends stay a pair."""
-    written, bare = (compile_text(each, voice=english, media=MemoryStore()) for each in (text, plain))
+    p = Parameters(emotion_voice=0.0)
+    written, bare = (compile_text(each, voice=english, media=MemoryStore(), parameters=p) for each in (text, plain))
     assert [e.name for e in written.of(Emotion)] == ["happy"]
     assert len(list(written.of(Phrase))) == len(list(bare.of(Phrase)))
     assert [said.duration for said in written.of(Utterance)] == [said.duration for said in bare.of(Utterance)]
