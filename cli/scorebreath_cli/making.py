@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Self
 from scorebreath.errors import InputError
 from scorebreath_cli.inputs import Source
 from scorebreath_cli.printers import Printer
+from scorebreath_cli.recording import compile_recorded, take_of
 from scorebreath_cli.settings import (
     DEFAULT_LANGUAGE,
     DEFAULT_MODEL,
@@ -105,7 +106,7 @@ class Compiler:
 
     def prepare(self, source: Source) -> None:
         """Let the voice get ready, unless the text may say which language it is in."""
-        if not source.data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<"):
+        if take_of(self.options.voice) is None and not source.data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<"):
             self.voice()
 
     def _recordings(self, media: MediaStore) -> Recordings | None:
@@ -136,6 +137,11 @@ class Compiler:
             VoiceError: The voice failed.
         """
         options = self.options
+        if take_of(options.voice) is not None:
+            timed = not source.data and source.name in (options.recording.textgrid, options.recording.words)
+            text = None if timed else text_of(source, options)
+            breaths = self._recordings(media)
+            return compile_recorded(source, text, media, options=options, printer=self._printer, recordings=breaths)
         self.prepare(source)
         from scorebreath.pipeline import compile_text
         from scorebreath.score.events import WarningEvent

@@ -8,6 +8,7 @@ import typer
 
 COMPILING = "Compiling"
 BREATHS = "Compiling: silences and breaths"
+RECORDING = "Compiling: a recording (--voice recording:FILE)"
 FACE = "Compiling: the face"
 SOUND = "Sound and curves"
 
@@ -201,6 +202,26 @@ BreathMotion = Annotated[
         "--breath-motion/--no-breath-motion", help="Whether breaths are seen; no time changes.",
         rich_help_panel=BREATHS,
     ),
+]  # fmt: skip
+Transcript = Annotated[
+    str | None,
+    typer.Option("--transcript", metavar="FILE", help="What the recording says, in place of SCRIPT.",
+                 rich_help_panel=RECORDING),
+]  # fmt: skip
+TextGrid = Annotated[
+    str | None,
+    typer.Option("--textgrid", metavar="FILE", help="A Praat TextGrid that says where its words, and phones, are.",
+                 rich_help_panel=RECORDING),
+]  # fmt: skip
+Words = Annotated[
+    str | None,
+    typer.Option("--words", metavar="FILE", help="A JSON file with word, start and end, as Whisper writes it.",
+                 rich_help_panel=RECORDING),
+]  # fmt: skip
+OwnBreaths = Annotated[
+    str | None,
+    typer.Option("--own-breaths", metavar="WHAT", help="Breaths that are heard in it: keep (default), or replace.",
+                 rich_help_panel=RECORDING),
 ]  # fmt: skip
 Face = Annotated[
     str | None,

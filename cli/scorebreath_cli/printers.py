@@ -27,7 +27,7 @@ _SHOWN_AS_CODE = {
 """What a text or a file name must not do to a terminal."""
 _IN_TEXT = {code: shown for code, shown in _SHOWN_AS_CODE.items() if chr(code) not in "\n\t"}
 _IN_JSON = {code: f"\\u{code:04x}" for code in _SHOWN_AS_CODE if code >= 0x7F}
-STAGES = {"speak": "Speaking", "sound": "Rendering"}
+STAGES = {"listen": "Listening", "speak": "Speaking", "sound": "Rendering"}
 """Stages of a long command, in their order, and what people are told."""
 
 

@@ -13,7 +13,7 @@ from threading import Event
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from scorebreath.errors import InputError
-from scorebreath_cli.inputs import Source, load_score, read_source
+from scorebreath_cli.inputs import Source, load_score
 from scorebreath_cli.making import Compiler
 from scorebreath_cli.outputs import (
     BODY_FILES,
@@ -27,6 +27,7 @@ from scorebreath_cli.outputs import (
     staged,
 )
 from scorebreath_cli.printers import Printer
+from scorebreath_cli.recording import read_input, take_of
 from scorebreath_cli.settings import frame_rate
 
 if TYPE_CHECKING:
@@ -102,10 +103,12 @@ class Renderer:
         Raises:
             ScorebreathError: The input, an option, the voice, the engine or the disk.
         """
-        source = read_source(given)
+        source = read_input(given, self._compiler.options)
         besides = source.path if source.kind == "score" else None
         own = (*SET_FILES, *self._sound.rig_files)
         refuse_own_input(given, (folder / name for name in own if besides is None or name != SCORE))
+        if (take := take_of(self._compiler.options.voice)) is not None:
+            refuse_own_input(str(take), (folder / name for name in own))
         refuse_existing(folder, own, force=force, besides=besides)
         fps = self._begin(source)
         self._printer.started(source.name, str(folder))
@@ -133,7 +136,7 @@ class Renderer:
         """
         from tempfile import TemporaryDirectory
 
-        source = read_source(given)
+        source = read_input(given, self._compiler.options)
         self._begin(source)
         with TemporaryDirectory(prefix="scorebreath-") as folder:
             score, media = self._score(source, Path(folder), lambda: _beside(SOUND))

@@ -29,6 +29,16 @@ FACE_PARTS = ("blinks", "brows", "head", "gaze", "emotion")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class RecordingOptions:
+    """Options of a voice that is a recording; None where one was not given."""
+
+    transcript: str | None = None
+    textgrid: str | None = None
+    words: str | None = None
+    own_breaths: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class CompileOptions:
     """Options that make a Score out of a text; None where one was not given."""
 
@@ -49,6 +59,7 @@ class CompileOptions:
     breath_motion: bool | None = None
     face: str | None = None
     without: tuple[str, ...] = ()
+    recording: RecordingOptions = RecordingOptions()
 
     def refuse(self, source: str) -> None:
         """A Score is compiled already: none of these applies.
@@ -58,7 +69,7 @@ class CompileOptions:
         """
         for field in fields(self):
             value = getattr(self, field.name)
-            if value is not None and value != ():
+            if value is not None and value != () and value != RecordingOptions():
                 raise InputError(f"{source}: is a score; {_flag(field.name, value)} belongs to compiling a script")
 
     def parameters(self) -> Parameters:

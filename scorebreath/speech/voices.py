@@ -2,6 +2,7 @@
 
 Names: `espeak` (the script's language), `espeak:LANGUAGE`, `espeak:LANGUAGE+VARIANT`, `espeak:+VARIANT`; `piper:joe` or
 `joe`, `piper:FILE.onnx`, `piper:FILE.onnx#SPEAKER`; `tone`; `best`: the best that is installed for the language.
+`recording:FILE` is no voice that can be asked for anything: see `recorded`.
 """
 
 from __future__ import annotations
@@ -190,6 +191,28 @@ def _joe_is_here() -> bool:
     return bool(models.version() and models.joe_version())
 
 
+def _open_recording(name: str, detail: str, language: str) -> Voice:
+    raise InputError(
+        f"voice {name!r}: a recording says nothing but what was recorded; `scorebreath render` and `compile` take it, "
+        "with its transcript"
+    )
+
+
+def _recording_rows() -> Iterator[VoiceRow]:
+    yield VoiceRow(
+        name="recording:FILE",
+        languages=("mul",),
+        engine="recording",
+        version="1",
+        licence="of the recording",
+        provenance="a take of your own, with its transcript: words and breaths are found in it",
+        installed=True,
+        how="",
+        deterministic=True,
+        files=True,
+    )
+
+
 def _open_tone(name: str, detail: str, language: str) -> Voice:
     from scorebreath.speech.tone.voice import ToneVoice
 
@@ -217,6 +240,7 @@ ENGINES: dict[str, Engine] = {
     for engine in (
         Engine(name="espeak", options="LANGUAGE+VARIANT", open=_open_espeak, rows=_espeak_rows),
         Engine(name="piper", options="joe, or FILE.onnx", open=_open_piper, rows=_piper_rows),
+        Engine(name="recording", options="FILE", open=_open_recording, rows=_recording_rows),
         Engine(name="tone", options="", open=_open_tone, rows=_tone_rows),
     )
 }

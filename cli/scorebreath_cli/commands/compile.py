@@ -10,12 +10,12 @@ import typer
 from scorebreath_cli import options as o
 from scorebreath_cli import printers
 from scorebreath_cli.failures import Status, reporting
-from scorebreath_cli.settings import CompileOptions
+from scorebreath_cli.settings import CompileOptions, RecordingOptions
 
 
 def compile_(
     *,
-    script: Annotated[str, typer.Argument(metavar="SCRIPT", help="A text file, or - for stdin.")],
+    given: Annotated[str | None, typer.Argument(metavar="SCRIPT", help="A text file, or - for stdin.")] = None,
     output: Annotated[
         str, typer.Option("--output", "-o", metavar="FILE", help="Where the score goes; - is stdout.")
     ] = "-",
@@ -32,6 +32,10 @@ def compile_(
     poem: o.Poem = None,
     lead: o.Lead = None,
     tail: o.Tail = None,
+    transcript: o.Transcript = None,
+    textgrid: o.TextGrid = None,
+    words: o.Words = None,
+    own_breaths: o.OwnBreaths = None,
     breath_sound: o.BreathSound = None,
     breath_motion: o.BreathMotion = None,
     face: o.Face = None,
@@ -50,14 +54,16 @@ def compile_(
         states=tuple(state or ()), cast=tuple(cast or ()), markup=markup, breaths=breaths, seed=seed,
         language=language, poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
         face=face, without=tuple(without or ()),
+        recording=RecordingOptions(transcript=transcript, textgrid=textgrid, words=words, own_breaths=own_breaths),
     )  # fmt: skip
-    with reporting(lambda: printers.make(json_lines, script), debug=debug) as printer:
+    with reporting(lambda: printers.make(json_lines, given or ""), debug=debug) as printer:
         from scorebreath.errors import InputError
-        from scorebreath_cli.inputs import read_source
         from scorebreath_cli.making import Compiler
         from scorebreath_cli.outputs import STANDARD, behind, refuse_existing, refuse_own_input, staged
+        from scorebreath_cli.recording import inputs_of, read_input
         from scorebreath_cli.streams import check_stdout
 
+        (script,) = inputs_of([given] if given else [], options)
         to_stdout = output == STANDARD
         if to_stdout and json_lines:
             raise InputError("--json tells its events on stdout, where -o - would put the score; use -o FILE")
@@ -68,7 +74,7 @@ def compile_(
             refuse_own_input(script, [path])
             refuse_existing(path.parent, (path.name,), force=force)
         with Compiler(options, printer, cache=not no_cache) as compiler:
-            source = read_source(script)
+            source = read_input(script, options)
             if source.compiled:
                 raise InputError(f"{source.name}: is a score already; expected a script")
             printer.started(source.name, output)

@@ -9,7 +9,7 @@ import typer
 from scorebreath_cli import options as o
 from scorebreath_cli import printers
 from scorebreath_cli.failures import Status, reporting
-from scorebreath_cli.settings import DEFAULT_ENGINE, CompileOptions, check_engine
+from scorebreath_cli.settings import DEFAULT_ENGINE, CompileOptions, RecordingOptions, check_engine
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 
 def render(
     *,
-    inputs: Annotated[
-        list[str],
+    given: Annotated[
+        list[str] | None,
         typer.Argument(metavar="SCRIPT|SCORE|TAKE", help="Texts, scores, folders of takes, or - for stdin."),
-    ],
+    ] = None,
     output: Annotated[
         str,
         typer.Option("--output", "-o", metavar="DIR", help="Where everything goes; - sends the sound to stdout."),
@@ -41,6 +41,10 @@ def render(
     poem: o.Poem = None,
     lead: o.Lead = None,
     tail: o.Tail = None,
+    transcript: o.Transcript = None,
+    textgrid: o.TextGrid = None,
+    words: o.Words = None,
+    own_breaths: o.OwnBreaths = None,
     breath_sound: o.BreathSound = None,
     breath_motion: o.BreathMotion = None,
     face: o.Face = None,
@@ -65,18 +69,22 @@ def render(
         states=tuple(state or ()), cast=tuple(cast or ()), markup=markup, breaths=breaths, seed=seed,
         language=language, poem=poem, lead=lead, tail=tail, breath_sound=breath_sound, breath_motion=breath_motion,
         face=face, without=tuple(without or ()),
+        recording=RecordingOptions(transcript=transcript, textgrid=textgrid, words=words, own_breaths=own_breaths),
     )  # fmt: skip
-    with reporting(lambda: printers.make(json_lines, inputs[0] if len(inputs) == 1 else ""), debug=debug) as printer:
+    alone = given[0] if given and len(given) == 1 else ""
+    with reporting(lambda: printers.make(json_lines, alone), debug=debug) as printer:
         from pathlib import Path
 
         from scorebreath.errors import InputError
         from scorebreath_cli.inputs import names_of
         from scorebreath_cli.making import Compiler
         from scorebreath_cli.outputs import STANDARD
+        from scorebreath_cli.recording import inputs_of
         from scorebreath_cli.rendering import Renderer, SoundOptions
         from scorebreath_cli.streams import check_stdout
 
         check_engine(engine)
+        inputs = inputs_of(list(given or ()), options)
         sound = SoundOptions(engine=engine, rate=rate, fps=fps, rigs=tuple(dict.fromkeys(rig or ())))
         with Compiler(options, printer, cache=not no_cache) as compiler:
             renderer = Renderer(compiler, sound, printer)
