@@ -38,7 +38,10 @@ def judged(score: Score, media: MemoryStore) -> float:
             assert first is not None and last is not None
             own = [word for start, word in told.items() if first[0] <= start < last[1]]
             said = [sphinx._Said(text=text, word=word.source.start) for word in own for text in listener.known(word)]
-            heard = {one.said.word: one.start - ROOM for one in reversed(listener.lay(said, 0.0, len(samples)))}
+            heard = {
+                one.said.word: one.start - ROOM
+                for one in reversed(listener.lay(said, 0.0, len(samples) / sound.sample_rate))
+            }
             off += [word.onset - heard[word.source[0]] for word in event.words if word.source]
     assert len(off) > 0.9 * len(told)
     return float(np.median(np.abs(off)))

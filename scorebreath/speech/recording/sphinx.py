@@ -6,6 +6,7 @@ something else (`matching`). Then the transcript, so corrected, is laid over the
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -36,6 +37,8 @@ PEAK = 0.7
 """Full scale 1; what it is given"""
 NOISE = 20
 """Of 32767: noise that is added to it, 64 dB below the peaks; at silence without any it fails"""
+MORE_NOISE = (0, 60, 150)
+"""Of 32767: what is added besides where words cannot be laid over a sound, as over one that is all too clean"""
 AROUND = 0.05
 """s of sound around a phrase that belong to it"""
 BESIDE = 0.1
@@ -268,11 +271,13 @@ class _Listener:
 
     def _laid(self, texts: Sequence[str], start: float, end: float) -> list[tuple[str, float, float]] | None:
         """Words and silences, `` for those, with their times; None: no way was found."""
-        for beam in BEAMS:
+        sound = np.frombuffer(self._cut(start, end), dtype=np.int16).astype(np.int32)
+        for noise, beam in itertools.product(MORE_NOISE, BEAMS):
+            added = np.random.Generator(np.random.Philox(noise)).integers(-noise, noise + 1, len(sound))
             decoder = self._decoder_for(texts, beam)
             try:
                 decoder.set_align_text(" ".join(texts))
-                _listen(decoder, self._cut(start, end))
+                _listen(decoder, (sound + added).clip(-32768, 32767).astype(np.int16).tobytes())
             except RuntimeError:
                 continue
             found = [
