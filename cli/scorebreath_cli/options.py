@@ -245,6 +245,16 @@ Engine = Annotated[
     typer.Option("--engine", metavar="NAME", help="What makes the sound: embedded, or an installed scsynth.",
                  autocompletion=complete_engines, rich_help_panel=SOUND),
 ]  # fmt: skip
+Loudness = Annotated[
+    float | None,
+    typer.Option("--loudness", metavar="LUFS", help="How loud mix.wav is: -16, -23 ...; peaks stay below -1 dBTP.",
+                 rich_help_panel=SOUND),
+]  # fmt: skip
+Stems = Annotated[
+    bool,
+    typer.Option("--stems", help="Write stems/speech.wav and stems/breath.wav as well: together they are mix.wav.",
+                 rich_help_panel=SOUND),
+]  # fmt: skip
 Rate = Annotated[
     int, typer.Option("--rate", metavar="HZ", help="Samples per second of mix.wav.", rich_help_panel=SOUND)
 ]

@@ -13,7 +13,7 @@ import tempfile
 import threading
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from types import TracebackType
 
@@ -25,6 +25,8 @@ SET_FILES = (
 """What `render` writes into its folder beside the media; the Score last, as it names the others' source."""
 BODY_FILES = ("curves.csv", "curves.json", "timeline.png")
 """What it writes into a folder of its own for each further body of a Score; the files above are those of the first."""
+STEM_FILES = ("stems/speech.wav", "stems/breath.wav")
+"""What it writes besides if stems are wanted."""
 RIG_SUFFIX = ".csv"
 """of what it writes for each `--rig`, there and for every further body."""
 STANDARD = "-"
@@ -33,7 +35,7 @@ SCORE = "score.json"
 """What an output folder calls its Score."""
 TAKE = "take.jsonl"
 """What a take's folder holds."""
-_OURS = re.compile(r"(speech|breath)/[0-9a-f]{64}\.wav\Z|([^/]+/)?[a-z]+\.csv\Z")
+_OURS = re.compile(r"(speech|breath)/[0-9a-f]{64}\.wav\Z|([^/]+/)?[a-z]+\.csv\Z|stems/(speech|breath)\.wav\Z")
 """What of an old output may be taken away, whoever names it."""
 _FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 """Failures of a write, which do not name the file."""
@@ -232,6 +234,13 @@ def old_rigs(folder: Path) -> set[str]:
     return {path.relative_to(folder).as_posix() for path in found if path.is_file()}
 
 
+def old_stems(folder: Path) -> set[str]:
+    """Stems that an earlier run left beside its Score: of another sound they would be no part."""
+    if not (folder / SCORE).is_file():
+        return set()
+    return {name for name in STEM_FILES if (folder / name).is_file()}
+
+
 @contextmanager
 def uninterrupted() -> Iterator[None]:
     """Hold Ctrl-C and termination back until a step that must not be torn is over."""
@@ -276,6 +285,9 @@ def _merge(part: Path, folder: Path, old: set[str]) -> None:
         shutil.rmtree(attic)
         raise
     shutil.rmtree(attic, ignore_errors=True)
+    for home in sorted({(folder / name).parent for name in kept} - {folder}):
+        with suppress(OSError):
+            _remove_empty(home)
 
 
 @contextmanager

@@ -6,7 +6,7 @@ import sys
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from threading import Event
@@ -20,8 +20,10 @@ from scorebreath_cli.outputs import (
     RIG_SUFFIX,
     SCORE,
     SET_FILES,
+    STEM_FILES,
     old_media,
     old_rigs,
+    old_stems,
     refuse_existing,
     refuse_own_input,
     staged,
@@ -33,6 +35,7 @@ from scorebreath_cli.settings import frame_rate
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from scorebreath.engine.master import Mastered
     from scorebreath.media.store import MediaStore
     from scorebreath.report.preview import Preview
     from scorebreath.score.document import Score
@@ -52,6 +55,20 @@ class SoundOptions:
     """frames per second of the curves, as given"""
     rigs: tuple[str, ...] = ()
     """characters whose shapes are written as well: names, or paths of `.toml` files"""
+    loudness: float | None = None
+    """LUFS of the mix; None: as it is"""
+    stems: bool = False
+    """whether speech and breath are written apart as well"""
+
+    @property
+    def mastered(self) -> bool:
+        """Whether more is to be done than to render."""
+        return self.stems or self.loudness is not None
+
+    @property
+    def stem_files(self) -> tuple[str, ...]:
+        """What they are called."""
+        return STEM_FILES if self.stems else ()
 
     def check(self) -> Fraction:
         """Refuse what is wrong before anything is made; the frames per second.
@@ -65,6 +82,12 @@ class SoundOptions:
 
         engine_named(self.engine)
         check_sample_rate(self.rate)
+        if self.loudness is not None:
+            from scorebreath.engine.master import check_loudness
+            from scorebreath.signal.loudness import LoudnessMeter
+
+            check_loudness(self.loudness)
+            LoudnessMeter(self.rate)  # says what is missing before anything is spoken
         return frame_rate(self.fps)
 
     def check_rigs(self) -> None:
@@ -105,7 +128,7 @@ class Renderer:
         """
         source = read_input(given, self._compiler.options)
         besides = source.path if source.kind == "score" else None
-        own = (*SET_FILES, *self._sound.rig_files)
+        own = (*SET_FILES, *self._sound.rig_files, *self._sound.stem_files)
         refuse_own_input(given, (folder / name for name in own if besides is None or name != SCORE))
         if (take := take_of(self._compiler.options.voice)) is not None:
             refuse_own_input(str(take), (folder / name for name in own))
@@ -113,7 +136,7 @@ class Renderer:
         fps = self._begin(source)
         self._printer.started(source.name, str(folder))
         with (
-            staged(folder, own=lambda old: old_media(old) | old_rigs(old)) as part,
+            staged(folder, own=lambda old: old_media(old) | old_rigs(old) | old_stems(old)) as part,
             ThreadPoolExecutor(1, thread_name_prefix="writer") as writer,
         ):
             score, media = self._score(source, part, lambda: _beside(SOUND + PICTURE))
@@ -121,7 +144,7 @@ class Renderer:
                 f"{body.id}/{name}"
                 for body in score.bodies[1:]
                 for name in own
-                if name not in SET_FILES or name in BODY_FILES
+                if name in self._sound.rig_files or name in BODY_FILES
             )
             refuse_existing(folder, others, force=force)
             self._write_set(score, media, part, fps, writer)
@@ -160,19 +183,39 @@ class Renderer:
         return self._compiler.compile(source, media, meanwhile), media
 
     def _sound_of(
-        self, score: Score, media: MediaStore, stream: BinaryIO, hear: Callable[[Any], None] | None = None
-    ) -> None:
-        from scorebreath.engine.offline import render
+        self, score: Score, media: MediaStore, stream: BinaryIO, hear: Callable[[Any], None] | None = None,
+        stems: Mapping[str, BinaryIO] | None = None,
+    ) -> None:  # fmt: skip
+        sound = self._sound
+        if not sound.mastered:
+            from scorebreath.engine.offline import render
 
-        render(
-            score,
-            media,
-            stream,
-            engine=self._sound.engine,
-            sample_rate=self._sound.rate,
-            on_progress=self._printer.progress,
-            on_samples=hear,
-        )
+            render(
+                score, media, stream, engine=sound.engine, sample_rate=sound.rate,
+                on_progress=self._printer.progress, on_samples=hear,
+            )  # fmt: skip
+            return
+        from scorebreath.engine.master import render_mastered
+
+        made = render_mastered(
+            score, media, stream, loudness=sound.loudness, stems=stems, engine=sound.engine, sample_rate=sound.rate,
+            on_progress=self._printer.progress, on_samples=hear,
+        )  # fmt: skip
+        if sound.loudness is not None:
+            self._tell_loudness(made, sound.loudness)
+
+    def _tell_loudness(self, made: Mastered, wanted: float) -> None:
+        about = {
+            "loudness": made.loudness, "gain_db": made.gain_db, "true_peak_db": made.true_peak_db,
+            "limited_db": made.limited_db,
+        }  # fmt: skip
+        self._printer.item("loudness", {key: value and round(value, 2) for key, value in about.items()}, "")
+        if made.loudness is None:
+            self._printer.note("--loudness: too short or too quiet to have one; it is left as it is")
+        elif abs(made.loudness - wanted) > 0.1:
+            self._printer.note(
+                f"--loudness {wanted:g}: {made.loudness:.1f} LUFS is what it can have with its peaks below -1 dBTP"
+            )
 
     def _write_set(self, score: Score, media: MediaStore, part: Path, fps: Fraction, writer: Executor) -> None:
         """Every file of the set: what needs no sound is made while the engine works in its own process."""
@@ -180,7 +223,7 @@ class Renderer:
         from scorebreath.report.preview import seconds_shown
         from scorebreath.score.files import with_media_paths
 
-        _check_room(part, score.duration, self._sound.rate)
+        _check_room(part, score.duration, self._sound.rate * (1 + len(self._sound.stem_files)))
         first, more = (score.bodies[0].id if score.bodies else None), score.bodies[1:]
         whole = with_media_paths(score)
         rigs = dict(zip(self._sound.rig_files, self._sound.rigs, strict=True))
@@ -190,8 +233,10 @@ class Renderer:
             page, others = writer.submit(silent.page), writer.submit(silent.write)
             jobs = [writer.submit(each.write, (*BODY_FILES, *rigs)) for each in besides]
             compact = CompactSound(self._sound.rate, seconds_shown(score))
-            with (part / "mix.wav").open("wb") as stream:
-                self._sound_of(score, media, stream, compact.add)
+            with ExitStack() as files:
+                stream = files.enter_context((part / "mix.wav").open("wb"))
+                stems = _stems_in(part, files) if self._sound.stems else None
+                self._sound_of(score, media, stream, compact.add, stems)
             with (part / "preview.html").open("wb") as stream:
                 page.result().write(stream, compact)
             for job in (others, *jobs):
@@ -199,6 +244,16 @@ class Renderer:
         finally:
             for each in (silent, *besides):
                 each.stop()
+
+
+def _stems_in(part: Path, files: ExitStack) -> dict[str, BinaryIO]:
+    """Files for the stems, by what they hold."""
+    made: dict[str, BinaryIO] = {}
+    for name in STEM_FILES:
+        path = part / name
+        path.parent.mkdir(exist_ok=True)
+        made[path.stem] = files.enter_context(path.open("wb"))
+    return made
 
 
 def _check_room(folder: Path, duration: float, rate: int) -> None:

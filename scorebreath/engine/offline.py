@@ -7,7 +7,7 @@ import shutil
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import closing
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -136,26 +136,58 @@ def render_sounds(
         on_progress: Told how far it is.
         on_samples: Given every block (n,) as it goes into the file.
     """
+    limiter = PeakLimiter()
+    with unlimited(
+        sounds, media, duration=duration, moved=moved, engine=engine, sample_rate=sample_rate, timeout=timeout,
+        on_progress=on_progress,
+    ) as made:  # fmt: skip
+        blocks = limiter.limit(made.blocks)
+        if on_samples is not None:
+            blocks = _heard_by(on_samples, blocks)
+        write_wave(stream, blocks, frames=made.frames, sample_rate=sample_rate, encoding=encoding)
+    return Rendered(
+        frames=made.frames,
+        sample_rate=sample_rate,
+        peak_db=decibels(limiter.peak),
+        limited_db=limiter.reduction_db,
+        engine=made.engine,
+        sounds=made.sounds,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Unlimited:
+    """What an engine makes, before anything is done to it."""
+
+    blocks: Iterator[NDArray[np.float32]]
+    """(n,) each, all frames together; taken once, while the context is open"""
+    frames: int
+    engine: str
+    """name and version"""
+    sounds: int
+
+
+@contextmanager
+def unlimited(
+    sounds: Sequence[Onset],
+    media: MediaStore,
+    *,
+    duration: float,
+    moved: Sequence[Move] = (),
+    engine: str | Engine = DEFAULT,
+    sample_rate: int = SAMPLE_RATE,
+    timeout: float | None = None,
+    on_progress: Progress | None = None,
+) -> Iterator[Unlimited]:
+    """What an engine makes of some sounds, as `render_sounds`; whatever goes wrong, no engine works on behind it."""
     chosen = engine_named(engine) if isinstance(engine, str) else engine
     version = chosen.version()
     frames = frame_count(duration, check_sample_rate(sample_rate))
     heard = [sound for sound in sounds if sound.duration > 0 and frame_count(sound.time, sample_rate) < frames]
     job = _Job(media=media, engine=chosen, sample_rate=sample_rate, timeout=timeout, told=_Told(on_progress, frames))
-    limiter = PeakLimiter()
     pieces = list(segments(heard, frames=frames, sample_rate=sample_rate, moves=moved))
-    with closing(job.blocks(pieces)) as made:  # whatever goes wrong, no engine works on
-        blocks = limiter.limit(made)
-        if on_samples is not None:
-            blocks = _heard_by(on_samples, blocks)
-        write_wave(stream, blocks, frames=frames, sample_rate=sample_rate, encoding=encoding)
-    return Rendered(
-        frames=frames,
-        sample_rate=sample_rate,
-        peak_db=decibels(limiter.peak),
-        limited_db=limiter.reduction_db,
-        engine=f"{chosen.name} ({version})",
-        sounds=len(heard),
-    )
+    with closing(job.blocks(pieces)) as made:
+        yield Unlimited(blocks=made, frames=frames, engine=f"{chosen.name} ({version})", sounds=len(heard))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

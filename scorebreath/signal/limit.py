@@ -43,6 +43,21 @@ class PeakLimiter:
         Args:
             blocks: Any number of arrays (n,), n any.
         """
+        ceiling = np.float32(amplitude(self.ceiling_db))
+        for inner, given in self.gains(blocks):
+            if given is None:
+                yield inner
+            else:
+                yield np.asarray(np.clip(inner * given, -ceiling, ceiling), dtype=np.float32)
+
+    def gains(
+        self, blocks: Iterable[NDArray[np.float32]]
+    ) -> Iterator[tuple[NDArray[np.float32], NDArray[np.float64] | None]]:
+        """The stream as it came, and the gain that limits each of its samples; None where that is 1.
+
+        Args:
+            blocks: Any number of arrays (n,), n any.
+        """
         window = np.zeros(_REACH, dtype=np.float32)  # what was given out last, then what waits for its future
         for block in blocks:
             self.peak = max(self.peak, float(np.abs(block).max(initial=0.0)))
@@ -52,20 +67,19 @@ class PeakLimiter:
                 window = window[-2 * _REACH :]
         yield self._shaped(np.concatenate((window, np.zeros(_REACH, dtype=np.float32))))
 
-    def _shaped(self, window: NDArray[np.float32]) -> NDArray[np.float32]:
+    def _shaped(self, window: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[np.float64] | None]:
         """What is between the first and the last 512 samples of the window."""
         inner = window[_REACH:-_REACH]
         ceiling = np.float32(amplitude(self.ceiling_db))
         size = np.abs(window)
         if not size.max(initial=0.0) > ceiling:
-            return inner
+            return inner, None
         needed = np.minimum(1.0, ceiling / np.maximum(size, np.float32(1e-9)), dtype=np.float64)
         self.gain = min(self.gain, float(needed.min()))
         smooth = _runs(needed, np.minimum, _REACH)
         for _ in range(2):
             smooth = _runs(smooth, np.add, _REACH // 2) / (_REACH // 2)
-        given = smooth[2 : 2 + len(inner)]
-        return np.asarray(np.clip(inner * given, -ceiling, ceiling), dtype=np.float32)
+        return inner, smooth[2 : 2 + len(inner)]
 
 
 def _runs(values: NDArray[np.float64], join: Callable[..., Any], length: int) -> NDArray[np.float64]:

@@ -50,6 +50,8 @@ class LoudnessMeter:
 
     def add(self, block: NDArray[np.float32]) -> None:
         """Hear what comes next, (n,)."""
+        if not len(block):
+            return
         sound: NDArray[np.float64] = np.asarray(block, dtype=np.float64)
         for place, stage in enumerate(self._stages):
             sound, self._memory[place] = self._lfilter(stage.b, stage.a, sound, zi=self._memory[place])

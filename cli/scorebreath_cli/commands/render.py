@@ -52,6 +52,8 @@ def render(
     no_cache: o.NoCache = False,
     engine: o.Engine = DEFAULT_ENGINE,
     rate: o.Rate = 48000,
+    loudness: o.Loudness = None,
+    stems: o.Stems = False,
     fps: o.Fps = "60",
     rig: o.Rigs = None,
     force: o.Force = False,
@@ -85,12 +87,14 @@ def render(
 
         check_engine(engine)
         inputs = inputs_of(list(given or ()), options)
-        sound = SoundOptions(engine=engine, rate=rate, fps=fps, rigs=tuple(dict.fromkeys(rig or ())))
+        sound = SoundOptions(
+            engine=engine, rate=rate, fps=fps, rigs=tuple(dict.fromkeys(rig or ())), loudness=loudness, stems=stems
+        )
         with Compiler(options, printer, cache=not no_cache) as compiler:
             renderer = Renderer(compiler, sound, printer)
             if output == STANDARD:
-                if len(inputs) > 1 or json_lines or rig:
-                    raise InputError("-o -: takes one input, no --json and no --rig: stdout takes the sound alone")
+                if len(inputs) > 1 or json_lines or rig or stems:
+                    raise InputError("-o -: takes one input, no --json, --rig, --stems: stdout takes the mix alone")
                 check_stdout()
                 renderer.to_stdout(inputs[0])
             elif len(inputs) == 1:
