@@ -19,6 +19,7 @@ if TYPE_CHECKING:  # the same table for type checkers
     from scorebreath.compose.models import MODELS as MODELS
     from scorebreath.curves.curve_set import CurveSet as CurveSet
     from scorebreath.engine.live.making import sounder_named as sounder_named
+    from scorebreath.engine.master import render_mastered as render_mastered
     from scorebreath.engine.offline import render as render
     from scorebreath.errors import EngineError as EngineError
     from scorebreath.errors import EnvironmentFailure as EnvironmentFailure
@@ -39,6 +40,7 @@ if TYPE_CHECKING:  # the same table for type checkers
     from scorebreath.parameters.table import Parameters as Parameters
     from scorebreath.pipeline import compile_text as compile_text
     from scorebreath.planning.planners import open_planner as open_planner
+    from scorebreath.recorded import compile_recording as compile_recording
     from scorebreath.score.codec import dumps as dumps
     from scorebreath.score.codec import loads as loads
     from scorebreath.score.document import Score as Score
@@ -47,8 +49,10 @@ if TYPE_CHECKING:  # the same table for type checkers
     from scorebreath.score.take import read_take as read_take
     from scorebreath.script.reader import Reader as Reader
     from scorebreath.script.reader import read as read
+    from scorebreath.speech.cache.voice import cached as cached
     from scorebreath.speech.model import SpeechRequest as SpeechRequest
     from scorebreath.speech.model import Voice as Voice
+    from scorebreath.speech.recording.sound import load_take as load_take
     from scorebreath.speech.voices import list_voices as list_voices
     from scorebreath.speech.voices import open_voice as open_voice
 
@@ -81,10 +85,14 @@ _HOMES = {
     "Voice": "speech.model",
     "list_voices": "speech.voices",
     "open_voice": "speech.voices",
+    "cached": "speech.cache.voice",
+    "load_take": "speech.recording.sound",
     "MODELS": "compose.models",
     "compile_text": "pipeline",
+    "compile_recording": "recorded",
     "CurveSet": "curves.curve_set",
     "render": "engine.offline",
+    "render_mastered": "engine.master",
     "sounder_named": "engine.live.making",
     "Setting": "live.show",
     "Show": "live.show",

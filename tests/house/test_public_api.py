@@ -12,7 +12,7 @@ import scorebreath
 
 ORDER = (
     "errors", "units", "spans", "chance", "parameters", "equations", "signal", "media", "score", "script", "planning",
-    "speech", "compose", "pipeline", "curves", "engine", "formats", "report", "live",
+    "speech", "compose", "pipeline", "recorded", "curves", "engine", "formats", "report", "live",
 )  # fmt: skip
 """Rooms, each after what it needs."""
 
