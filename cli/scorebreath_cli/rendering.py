@@ -9,7 +9,6 @@ from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from threading import Event
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from scorebreath.errors import InputError
@@ -31,13 +30,13 @@ from scorebreath_cli.outputs import (
 from scorebreath_cli.printers import Printer
 from scorebreath_cli.recording import read_input, take_of
 from scorebreath_cli.settings import frame_rate
+from scorebreath_cli.writers import Writers
 
 if TYPE_CHECKING:
     from fractions import Fraction
 
     from scorebreath.engine.master import Mastered
     from scorebreath.media.store import MediaStore
-    from scorebreath.report.preview import Preview
     from scorebreath.score.document import Score
 
 BYTES_A_FRAME = 3
@@ -227,8 +226,8 @@ class Renderer:
         first, more = (score.bodies[0].id if score.bodies else None), score.bodies[1:]
         whole = with_media_paths(score)
         rigs = dict(zip(self._sound.rig_files, self._sound.rigs, strict=True))
-        silent = _Writers(whole, media, part, fps, first, rigs=rigs)
-        besides = [_Writers(whole, media, part / body.id, fps, body.id, rigs=rigs) for body in more]
+        silent = Writers(whole, media, part, fps, first, rigs=rigs)
+        besides = [Writers(whole, media, part / body.id, fps, body.id, rigs=rigs) for body in more]
         try:
             page, others = writer.submit(silent.page), writer.submit(silent.write)
             jobs = [writer.submit(each.write, (*BODY_FILES, *rigs)) for each in besides]
@@ -272,80 +271,6 @@ def _check_room(folder: Path, duration: float, rate: int) -> None:
         raise EnvironmentFailure(
             f"{folder.parent}: a sound of {plain(duration)} s needs {needed / 1e9:.3g} GB, {free / 1e9:.3g} GB are free"
         )
-
-
-class _Writers:
-    """What can be written without the sound."""
-
-    def __init__(
-        self, score: Score, media: MediaStore, part: Path, fps: Fraction, body: str | None, *,
-        rigs: Mapping[str, str],
-    ) -> None:  # fmt: skip
-        from scorebreath.curves.curve_set import curves
-
-        self._body, self._rigs = body, rigs
-        self.score, self.curve_set = score, curves(score, body)
-        self._media, self._part, self._fps = media, part, fps
-        self._stopped = Event()
-
-    def stop(self) -> None:
-        """Write no further file."""
-        self._stopped.set()
-
-    def page(self) -> Preview:
-        """The preview, but for its sound."""
-        from scorebreath.report.preview import Preview
-
-        return Preview(self.score, self.curve_set)
-
-    def write(self, names: Sequence[str] | None = None) -> None:
-        """One after the other, the slowest first; all of them, or those named."""
-        self._part.mkdir(exist_ok=True)
-        writers: dict[str, Callable[[Path], None]] = {
-            "timeline.png": self._timeline,
-            "score.json": self._score,
-            "curves.csv": self._curves,
-            "curves.json": self._curves,
-            "groups.csv": self._groups,
-            **dict.fromkeys(self._rigs, self._rig),
-        }
-        for name, write in writers.items():
-            if self._stopped.is_set():
-                return
-            if names is not None and name not in names:
-                continue
-            write(self._part / name)
-
-    def _timeline(self, path: Path) -> None:
-        from scorebreath.report.timeline import write_timeline
-
-        with path.open("wb") as stream:
-            write_timeline(stream, self.score, self.curve_set)
-
-    def _score(self, path: Path) -> None:
-        from scorebreath.score.files import save
-
-        save(self.score, path, self._media)
-
-    def _curves(self, path: Path) -> None:
-        from scorebreath.formats import curves_csv, curves_json
-
-        write = curves_csv.write if path.suffix == ".csv" else curves_json.write
-        with path.open("wb") as stream:
-            write(stream, self.curve_set, self.score.duration, self._fps)
-
-    def _rig(self, path: Path) -> None:
-        from scorebreath.formats.formats import ExportOptions, rig_formats
-
-        table, *_ = rig_formats(self._rigs[path.name])
-        with path.open("wb") as stream:
-            table.write(stream, self.score, ExportOptions(fps=self._fps, body=self._body))
-
-    def _groups(self, path: Path) -> None:
-        from scorebreath.formats import groups_csv
-
-        with path.open("wb") as stream:
-            groups_csv.write(stream, self.score)
 
 
 SOUND = ("scorebreath.engine.offline", "soxr")

@@ -13,7 +13,7 @@ from scorebreath.pipeline import compile_text
 from scorebreath.recorded import compile_recording
 from scorebreath.score.document import Score
 from scorebreath.score.events import Utterance
-from scorebreath.speech.recording import sphinx
+from scorebreath.speech.recording import ears
 from scorebreath.speech.recording.pronounce import Pronouncer
 from scorebreath.speech.voices import open_voice
 from tests.speech.neural import needs_joe
@@ -33,11 +33,11 @@ def judged(score: Score, media: MemoryStore) -> float:
             sound = media.get(event.media)
             room = np.zeros(round(ROOM * sound.sample_rate), dtype=np.float32)
             samples = np.concatenate((room, sound.samples, room))
-            listener = sphinx._Listener(take_of(samples, sound.sample_rate), say)
+            listener = ears.Listener(take_of(samples, sound.sample_rate), say)
             first, last = event.words[0].source, event.words[-1].source
             assert first is not None and last is not None
             own = [word for start, word in told.items() if first[0] <= start < last[1]]
-            said = [sphinx._Said(text=text, word=word.source.start) for word in own for text in listener.known(word)]
+            said = [ears.Said(text=text, word=word.source.start) for word in own for text in listener.known(word)]
             heard = {
                 one.said.word: one.start - ROOM
                 for one in reversed(listener.lay(said, 0.0, len(samples) / sound.sample_rate))

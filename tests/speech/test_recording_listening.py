@@ -15,7 +15,7 @@ from scorebreath.parameters.table import Parameters
 from scorebreath.pipeline import compile_text
 from scorebreath.score.document import Score
 from scorebreath.score.events import Inspiration
-from scorebreath.speech.recording import sphinx, warping
+from scorebreath.speech.recording import ears, warping
 from scorebreath.speech.recording.listen import Listened, listen
 from scorebreath.speech.recording.model import Take
 from scorebreath.speech.recording.pronounce import Pronouncer
@@ -169,7 +169,7 @@ def test_without_the_recogniser_that_is_said(german: Known, monkeypatch: pytest.
 @needs_sphinx
 def test_a_word_that_no_dictionary_has_is_said_by_rule(joe: Known) -> None:
     with Pronouncer("en") as say:
-        listener = sphinx._Listener(joe.bare, say)
+        listener = ears.Listener(joe.bare, say)
         (word,) = written("Zorblaxian")
         assert listener.known(word) == ["zorblaxian"]
         assert listener.sounds("zorblaxian")[0] == "Z"

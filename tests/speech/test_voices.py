@@ -32,8 +32,11 @@ def test_a_name_opens_a_voice_that_speaks(name: str, language: str, whole: str, 
 
 
 UNKNOWN = {
-    ("espek", "en"): "voice 'espek' is unknown; there are: espeak, piper, tone, joe, best; did you mean espeak?",
-    ("kokoro-af", "en"): "voice 'kokoro-af' is unknown; there are: espeak, piper, tone, joe, best",
+    (
+        "espek",
+        "en",
+    ): "voice 'espek' is unknown; there are: espeak, piper, recording, tone, joe, best; did you mean",
+    ("kokoro-af", "en"): "voice 'kokoro-af' is unknown; there are: espeak, piper, recording, tone, joe, best",
     ("espeak:", "en"): "voice 'espeak:': expected espeak:LANGUAGE+VARIANT",
     ("tone:loud", "en"): "voice 'tone:loud': expected tone alone",
     ("espeak:en+f33", "en"): "voice 'espeak:en+f33': there is no variant 'f33'; did you mean f3",
