@@ -38,6 +38,7 @@ def offline(text: str, **settings: object) -> Score:
         ("forecast.txt", {"parameters": Parameters(style="spontaneous", face="albrecht-2002"), "seed": 3}),
         ("tags.txt", {}),
         ("radio_chat.txt", {}),
+        ("radio_chat.txt", {"parameters": Parameters(declination=-2.0, question_rise=4.0, speaking_loudness=150.0)}),
         ("parallelen_emoticons.txt", {"language": "de"}),
     ],
 )
