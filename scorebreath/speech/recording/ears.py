@@ -41,7 +41,7 @@ QUIET = 0.06
 MARGIN, MOST = 0.6, 3.0
 """What is written may fit worse by so much a frame, in a phrase of so many seconds at most, and is still what is said.
 Read by a neural voice, right words were worse by 0.5 at most, and wrong ones by 0.7 at least."""
-WIDE = 15.0
+WIDE = 60.0
 """s; a stretch that is longer is doubted without trying"""
 
 
