@@ -165,7 +165,7 @@ def _warped(
     if centre is not None:
         starts = np.clip(np.round(centre).astype(np.int64) - BAND, 0, columns - width)
         starts = np.maximum.accumulate(starts)
-    best = np.full((rows, width), np.inf)
+    last = np.full(width, np.inf)
     came = np.zeros((rows, width), dtype=np.int8)
     norms = np.square(own).sum(axis=1)
     usual = float(other.shape[1])
@@ -180,18 +180,18 @@ def _warped(
         diagonal = np.full(width, np.inf)
         if row:
             shift = first - int(starts[row - 1])
-            above[: width - shift] = best[row - 1, shift:]
+            above[: width - shift] = last[shift:]
             if shift:
-                diagonal[: width - shift + 1] = best[row - 1, shift - 1 :]
+                diagonal[: width - shift + 1] = last[shift - 1 :]
             else:
-                diagonal[1:] = best[row - 1, :-1]
+                diagonal[1:] = last[:-1]
             enter = np.minimum(above, diagonal) + cost
         else:
             enter = np.where(np.arange(width) == 0, cost, np.inf)
         total = np.cumsum(along)
         base = enter - total
         lowest = np.minimum.accumulate(base)
-        best[row] = lowest + total
+        last = lowest + total
         came[row] = np.where(base <= lowest, np.where(diagonal <= above, 1, 2), 0)
     return _traced(came, starts, columns)
 
