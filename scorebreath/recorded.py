@@ -34,7 +34,7 @@ from scorebreath.script.reader import read
 from scorebreath.signal.breaths import TARGET_DB, at_target
 from scorebreath.signal.resample import resample
 from scorebreath.speech.recording.listen import Gap, Listened, listen
-from scorebreath.speech.recording.model import Take, Written
+from scorebreath.speech.recording.model import Progress, Take, Written
 from scorebreath.speech.recording.voice import RecordedVoice
 from scorebreath.units import snap
 
@@ -79,6 +79,7 @@ def compile_recording(
     states: Mapping[str, float] | None = None,
     recordings: Recordings | None = None,
     tell: Tell = lambda _: None,
+    on_progress: Progress | None = None,
 ) -> Recorded:
     """Turn a recording and its transcript into a Score.
 
@@ -101,6 +102,7 @@ def compile_recording(
         states: States the body is in from the beginning.
         recordings: The user's own breaths, in `media`.
         tell: Told what was heard, left out, or done to the sound, a line at a time.
+        on_progress: Told the fraction of the listening that is done, 0..1.
 
     Returns:
         The Score. Where the recording begins with time for a breath, its times are the recording's own.
@@ -117,7 +119,7 @@ def compile_recording(
         raise InputError(f"{file or 'transcript'}: says nothing; expected what is said in {take.path}")
     for note in take.notes:
         tell(note)
-    heard = listen(take, written, language, textgrid=textgrid, words=words)
+    heard = listen(take, written, language, textgrid=textgrid, words=words, on_progress=on_progress)
     for note in (*heard.notes, *map(str, heard.mismatches)):
         tell(note)
     begun = begin_states(states or {})

@@ -131,7 +131,8 @@ def compile_recorded(
         seed=seed(options.seed), lead=seconds("lead", options.lead, LEAD), tail=seconds("tail", options.tail, TAIL),
         file=source.name, markup="none" if text is None else options.kind_of_markup(), textgrid=textgrid, words=words,
         own_breaths="replace" if told.own_breaths == "replace" else "keep", states=options.begin(),
-        recordings=recordings, tell=lambda said: printer.note(f"{path}: {said}"),
+        recordings=recordings, on_progress=lambda fraction: printer.progress("listen", fraction),
+        tell=lambda said: printer.note(f"{path}: {said}"),
     )  # fmt: skip
     printer.progress("listen", 1.0)
     for mismatch in made.heard.mismatches:

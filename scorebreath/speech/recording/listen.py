@@ -15,6 +15,7 @@ from scorebreath.speech.recording.model import (
     HeardPhone,
     HeardWord,
     Mismatch,
+    Progress,
     Take,
     Written,
 )
@@ -60,6 +61,7 @@ def listen(
     *,
     textgrid: Path | None = None,
     words: Path | None = None,
+    on_progress: Progress | None = None,
 ) -> Listened:
     """Find a transcript in a recording.
 
@@ -69,6 +71,7 @@ def listen(
         language: BCP 47.
         textgrid: A Praat TextGrid that says where words are.
         words: A JSON file that does.
+        on_progress: Told the fraction that is done, 0..1.
 
     Raises:
         InputError: Recording, transcript and files do not belong together.
@@ -80,7 +83,7 @@ def listen(
             told = given.read_textgrid(textgrid, take) if textgrid else given.read_words(words or Path(), take)
             found = given.align(take, written, told, lambda word: spoken_of(word, language))
         else:
-            found = _aligned(take, written, language, say, notes)
+            found = _aligned(take, written, language, say, notes, on_progress=on_progress)
         if not found.words:
             raise InputError(f"{take.path}: no word of the transcript is heard in it")
         line = list(found.words)
@@ -96,12 +99,20 @@ def listen(
     )  # fmt: skip
 
 
-def _aligned(take: Take, written: Sequence[Written], language: str, say: Pronouncer, notes: list[str]) -> Alignment:
+def _aligned(
+    take: Take,
+    written: Sequence[Written],
+    language: str,
+    say: Pronouncer,
+    notes: list[str],
+    *,
+    on_progress: Progress | None,
+) -> Alignment:
     """By PocketSphinx for English, where it is installed; else by warping."""
     if primary(language) != "en":
         return warping.align(take, written, say)
     try:
-        return sphinx.align(take, written, say)
+        return sphinx.align(take, written, say, on_progress)
     except MissingExtraError as error:
         notes.append(f"{error}: words are found less exactly, and not compared with the transcript")
         return warping.align(take, written, say)

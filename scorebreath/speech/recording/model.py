@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
@@ -10,6 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scorebreath.spans import Span
+
+Progress = Callable[[float], None]
+"""Told the fraction that is done, 0..1."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -12,22 +12,25 @@ from importlib import metadata
 from scorebreath.speech.recording.arpabet import IPA
 from scorebreath.speech.recording.ears import Found, Listener, Said
 from scorebreath.speech.recording.matching import Difference, Token, check_share, differences
-from scorebreath.speech.recording.model import Alignment, HeardPhone, HeardWord, Take, Written
+from scorebreath.speech.recording.model import Alignment, HeardPhone, HeardWord, Progress, Take, Written
 from scorebreath.speech.recording.pronounce import Pronouncer, stressed
 
 PIECE = 40.0
 """s; the transcript is laid over so much sound at a time, if there are silences to cut it at"""
+UNDERSTOOD, DOUBTED = 0.5, 0.8
+"""Share of the work that is done when all is understood, and when all is doubted that is to be"""
 CUT = 0.25
 """s; shortest silence to cut at"""
 
 
-def align(take: Take, written: Sequence[Written], say: Pronouncer) -> Alignment:
+def align(take: Take, written: Sequence[Written], say: Pronouncer, on_progress: Progress | None = None) -> Alignment:
     """Find the words of an English transcript.
 
     Args:
         take: The recording.
         written: Its transcript.
         say: Says words that no dictionary has.
+        on_progress: Told the fraction that is done, 0..1.
 
     Raises:
         InputError: The transcript is not that of the recording.
@@ -37,12 +40,19 @@ def align(take: Take, written: Sequence[Written], say: Pronouncer) -> Alignment:
     heard = listener.understand()
     said = [Said(text=text, word=place) for place, word in enumerate(written) for text in listener.known(word)]
     told = [Token(text=one.text, sounds=listener.sounds(one.text)) for one in said]
-    parts = [part for part in differences(told, heard) if listener.doubts(part, told, heard)]
+    tell = on_progress or (lambda _: None)
+    tell(UNDERSTOOD)
+    parts: list[Difference] = []
+    doubtful = differences(told, heard)
+    for number, part in enumerate(doubtful, 1):
+        parts += [part] if listener.doubts(part, told, heard) else []
+        tell(UNDERSTOOD + (DOUBTED - UNDERSTOOD) * number / len(doubtful))
     check_share(take.path, [part.mismatch for part in parts], sum(len(part.written) for part in parts), len(said))
     line = list(_corrected(said, heard, parts))
     words = []
     for first, last, start, end in _pieces(line, heard, take.duration):
         words += listener.lay([one for one, _ in line[first:last]], start, end)
+        tell(DOUBTED + (1.0 - DOUBTED) * end / take.duration)
     found = _words(words, written, say)
     return Alignment(
         words=tuple(found), mismatches=tuple(part.mismatch for part in parts),
