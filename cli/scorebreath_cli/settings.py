@@ -67,10 +67,11 @@ class CompileOptions:
         Raises:
             InputError: Names the first option that was given.
         """
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if value is not None and value != () and value != RecordingOptions():
-                raise InputError(f"{source}: is a score; {_flag(field.name, value)} belongs to compiling a script")
+        given = [(field.name, getattr(self, field.name)) for field in fields(self) if field.name != "recording"]
+        given += [(field.name, getattr(self.recording, field.name)) for field in fields(self.recording)]
+        for name, value in given:
+            if value is not None and value != ():
+                raise InputError(f"{source}: is a score; {_flag(name, value)} belongs to compiling a script")
 
     def parameters(self) -> Parameters:
         """Presets, then `--set`, then options of their own (`--breath-sound`, `--face`): what comes later wins.

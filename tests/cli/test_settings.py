@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from scorebreath.errors import InputError, ParameterError
-from scorebreath_cli.settings import CompileOptions, frame_rate, seconds, seed
+from scorebreath_cli.settings import CompileOptions, RecordingOptions, frame_rate, seconds, seed
 
 GIVEN: dict[str, tuple[Any, str]] = {
     "voice": ("tone", "--voice"),
@@ -36,11 +36,15 @@ GIVEN: dict[str, tuple[Any, str]] = {
 
 
 def test_every_option_of_compiling_is_refused_on_a_score() -> None:
-    assert {field.name for field in fields(CompileOptions)} == set(GIVEN)
+    assert {field.name for field in fields(CompileOptions)} - {"recording"} == set(GIVEN)
     CompileOptions().refuse("x.json")
     for name, (value, flag) in GIVEN.items():
         with pytest.raises(InputError, match=rf"^x\.json: is a score; {flag} belongs"):
             CompileOptions(**{name: value}).refuse("x.json")
+    for field in fields(RecordingOptions):
+        flag = "--" + field.name.replace("_", "-")
+        with pytest.raises(InputError, match=rf"^x\.json: is a score; {flag} belongs"):
+            CompileOptions(recording=RecordingOptions(**{field.name: "x"})).refuse("x.json")
 
 
 @given(st.integers(1, 999), st.integers(1, 10_000))
