@@ -125,6 +125,27 @@ def test_a_transcript_that_says_something_else_is_told(joe: Known, change: tuple
 
 @needs_joe
 @needs_sphinx
+def test_what_nobody_wrote_is_told_and_heard(joe: Known) -> None:
+    """The transcript stops after the first sentence; the recording does not."""
+    text = PASSAGE.partition(". ")[0] + "."
+    found = listen(joe.bare, written(text), "en")
+    (extra,) = [one for one in found.mismatches if one.kind == "extra" and len(one.heard.split()) > 20]
+    assert "morning" in extra.heard
+    unwritten = [word for word in found.words if word.word is None]
+    assert len(unwritten) > 40
+    assert unwritten[-1].end > joe.bare.duration - 3
+
+
+@needs_joe
+@needs_sphinx
+@pytest.mark.parametrize("text", ["X.", "No, never."])
+def test_a_word_or_two_are_no_transcript_of_a_speech(joe: Known, text: str) -> None:
+    with pytest.raises(InputError, match="of the transcript"):
+        listen(joe.bare, written(text), "en")
+
+
+@needs_joe
+@needs_sphinx
 def test_a_transcript_of_something_else_is_refused(joe: Known) -> None:
     with pytest.raises(InputError, match="of the transcript"):
         listen(joe.bare, written("Curious green ideas sleep furiously. Buy two, and get one free! " * 5), "en")

@@ -41,6 +41,8 @@ QUIET = 0.06
 MARGIN, MOST = 0.6, 3.0
 """What is written may fit worse by so much a frame, in a phrase of so many seconds at most, and is still what is said.
 Read by a neural voice, right words were worse by 0.5 at most, and wrong ones by 0.7 at least."""
+UNLIKE, FEW = 3, 5
+"""Times as many words, and words more, on one side than on the other: that is no mishearing"""
 WIDE = 60.0
 """s; a stretch that is longer is doubted without trying"""
 
@@ -121,6 +123,8 @@ class Listener:
         any English; if what is written fits the sound as well, it is what is said.
         """
         here, there = part.written, part.heard
+        if len(here) > UNLIKE * len(there) + FEW or len(there) > UNLIKE * len(here) + FEW:
+            return True
         first, last = _phrase(heard, there)
         before, behind = heard[first : there.start], heard[there.stop : last]
         if first == last or heard[last - 1].until - heard[first].at > WIDE:
