@@ -29,10 +29,11 @@ from scorebreath.script import emoticons
 from scorebreath.script.emotional import with_breathing
 from scorebreath.script.marks import Act, Mark, NoBreath, ProsodyMark, VoiceMark
 from scorebreath.script.markup.marked import Marked, Markup
-from scorebreath.script.model import Edge, Script
+from scorebreath.script.model import Edge, Script, ScriptWord
 from scorebreath.script.reader import read
 from scorebreath.signal.breaths import TARGET_DB, at_target
 from scorebreath.signal.resample import resample
+from scorebreath.spans import Span
 from scorebreath.speech.recording.listen import Gap, Listened, listen
 from scorebreath.speech.recording.model import Progress, Take, Written
 from scorebreath.speech.recording.voice import RecordedVoice
@@ -169,10 +170,22 @@ def _offset(heard: Listened, lead: float, *, keep: bool) -> float:
 def transcript(script: Script) -> list[Written]:
     """The words of a script, for whoever looks for them in a recording."""
     return [
-        Written(text=word.text, spoken=word.words, source=word.source, phrase_ends=word.edge in PHRASE_ENDS)
+        Written(
+            text=word.text,
+            spoken=word.words,
+            source=word.source,
+            bare=_bare_span(script.text, word),
+            phrase_ends=word.edge in PHRASE_ENDS,
+        )
         for sentence in script.sentences
         for word in sentence.words
     ]
+
+
+def _bare_span(text: str, word: ScriptWord) -> Span:
+    """Where a word stands without its punctuation; with it, where it is written otherwise than it is called."""
+    at = text.find(word.text, word.source.start, word.source.end) if word.text else -1
+    return word.source if at < 0 else Span(at, at + len(word.text))
 
 
 def _own(p: Parameters) -> Parameters:

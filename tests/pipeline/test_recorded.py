@@ -149,6 +149,14 @@ def test_other_breathing_moves_no_word(bare: Take) -> None:
     assert [e.onset for e in one.score.of(Inspiration)] != [] != [e.noise for e in two.score.of(Inspiration)]
 
 
+def test_words_stand_where_speaking_voices_have_them(bare: Take) -> None:
+    """Without their punctuation."""
+    for event in recorded(bare).score.of(Utterance):
+        for word in event.words:
+            assert word.source is not None
+            assert GERMAN[slice(*word.source)] == word.text
+
+
 def test_silences_are_as_recorded(bare: Take) -> None:
     made = recorded(bare)
     speeches = sorted(made.score.of(Utterance), key=lambda event: event.onset)

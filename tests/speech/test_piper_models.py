@@ -11,6 +11,7 @@ import pytest
 from scorebreath.errors import InputError, MissingExtraError
 from scorebreath.speech.piper import models
 from scorebreath.speech.voices import list_voices, open_voice
+from tests.speech.neural import needs_joe
 
 GOOD: dict[str, Any] = {
     "audio": {"sample_rate": 22050},
@@ -18,7 +19,8 @@ GOOD: dict[str, Any] = {
     "language": {"code": "de_DE"},
     "num_speakers": 2,
     "speaker_id_map": {"anna": 0, "bert": 1},
-    "phoneme_id_map": {"_": [0], "a": [1]},
+    "phoneme_id_map": {symbol: [number] for number, symbol in enumerate("_^$aeioubdfghjklmnprstvz")},
+    "num_symbols": 30,
 }
 
 
@@ -51,6 +53,10 @@ BROKEN: dict[str, tuple[object, str]] = {
     "deep": ("[" * 100_000, "is not the JSON of a Piper voice"),
     "a list": ([], "is not the JSON of a Piper voice"),
     "no map": ({**GOOD, "phoneme_id_map": None}, "is not the JSON of a Piper voice"),
+    "empty map": ({**GOOD, "phoneme_id_map": {}}, "phoneme_id_map has 0 symbols; expected ^, $, _ among them"),
+    "few": ({**GOOD, "phoneme_id_map": {"_": [0], "^": [1], "$": [2], "a": [3]}}, "expected the sounds of a language"),
+    "high ids": ({**GOOD, "num_symbols": 9}, "phoneme_id_map goes up to 23; num_symbols=9 allows 8"),
+    "pinyin": ({**GOOD, "phoneme_type": "pinyin"}, "phoneme_type='pinyin' must be 'espeak'"),
     "map of words": ({**GOOD, "phoneme_id_map": {"a": ["b"]}}, "must be a list of numbers"),
     "no rate": ({**GOOD, "audio": {}}, "sample_rate=None must be a whole number"),
     "rate": ({**GOOD, "audio": {"sample_rate": 10**9}}, "sample_rate=1000000000 must be"),
@@ -92,3 +98,25 @@ def test_without_the_extra_its_name_is_told(monkeypatch: pytest.MonkeyPatch) -> 
     rows = [row for row in list_voices() if row.engine == "piper"]
     assert [row.installed for row in rows] == [False, False]
     assert all("scorebreath[neural]" in row.how for row in rows)
+
+
+@needs_joe
+def test_a_language_that_espeak_has_not_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "voice.onnx").write_bytes(b"model")
+    told = {**GOOD, "espeak": {"voice": "zz-nope"}}
+    (tmp_path / "voice.onnx.json").write_text(json.dumps(told))
+    with pytest.raises(InputError, match=r"espeak.voice='zz-nope' is no language of eSpeak NG"):
+        open_voice(f"piper:{tmp_path / 'voice.onnx'}", "en")
+
+
+@needs_joe
+def test_what_lies_beside_a_link_counts_not_what_lies_beside_its_target(tmp_path: Path) -> None:
+    """A cache of models keeps files elsewhere, under other names."""
+    (tmp_path / "blobs").mkdir()
+    (tmp_path / "snapshot").mkdir()
+    (tmp_path / "blobs" / "abc123").write_bytes(b"model")
+    (tmp_path / "snapshot" / "voice.onnx").symlink_to(tmp_path / "blobs" / "abc123")
+    (tmp_path / "snapshot" / "voice.onnx.json").write_text(json.dumps(GOOD))
+    found = models.find(str(tmp_path / "snapshot" / "voice.onnx"))
+    assert found.config == tmp_path / "snapshot" / "voice.onnx.json"
+    assert found.name == str(tmp_path / "snapshot" / "voice.onnx")

@@ -152,6 +152,18 @@ def test_what_does_not_match_is_told_word_by_word(tmp_path: Path) -> None:
         aligned(given, "Something entirely else.")
 
 
+def test_no_word_is_lost_for_want_of_time(tmp_path: Path) -> None:
+    """Whisper now and then gives a word none: it shares with the one before. Many at one time are nobody's times."""
+    path = tmp_path / "a.json"
+    path.write_text(json.dumps([{"word": "the", "start": 0, "end": 0.4}, {"word": "old", "start": 0.4, "end": 0.4}]))
+    assert [(word.text, word.start, word.end) for word in read_words(path, TAKE).words] == [
+        ("the", 0, 0.2), ("old", 0.2, 0.4),
+    ]  # fmt: skip
+    path.write_text(json.dumps([{"word": f"word{number}", "start": 1, "end": 1.5} for number in range(9)]))
+    with pytest.raises(InputError, match=r"'word\d' at 1.00 s has no time of its own"):
+        read_words(path, TAKE)
+
+
 def test_numbers_are_matched_however_they_are_written(tmp_path: Path) -> None:
     labels = [("in", 0.1, 0.3), ("23", 0.3, 0.9), ("years", 1.0, 1.4)]
     given = read_textgrid(grid(tmp_path / "a.TextGrid", {"words": labels}), TAKE)

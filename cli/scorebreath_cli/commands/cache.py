@@ -48,7 +48,7 @@ def cache(
             raise InputError(f"{wanted[1]} beside {wanted[0]}: expected one of them")
         if voice is not None and not clear:
             raise InputError("--voice: belongs to --clear")
-        limit = None if prune is None else size_of(prune, "--prune ")
+        limit = None if prune is None else size_of(prune, "--prune")
         folder = default_folder()
         if folder is None:
             printer.item("cache", {"folder": None}, f"off: {FOLDER}={OFF}")

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from scorebreath.errors import InputError, MissingExtraError, shortened
+from scorebreath.speech.piper.marks import BEGIN, END, PAD
 
 EXTRA = "neural"
 PACKAGES = ("piper-tts", "onnx", "onnxruntime")
@@ -27,6 +28,9 @@ LARGEST_CONFIG, LARGEST_MODEL = 4 << 20, 1 << 30
 RATES = (8_000, 96_000)
 """Hz"""
 MOST_SPEAKERS = 10_000
+PHONEMES = "espeak"
+"""The only kind of phonemes that words are found in."""
+FEWEST_SYMBOLS = 16
 SPEAKER = "#"
 """Parts a file's path from the name or number of one of its speakers."""
 CARD = "MODEL_CARD"
@@ -109,9 +113,9 @@ def find(detail: str) -> Model:
     if not 0 < path.stat().st_size <= LARGEST_MODEL:
         raise InputError(f"{name}: the file has {path.stat().st_size} bytes; expected a model of at most 1 GiB")
     licence, provenance = _card(path.parent / CARD)
-    resolved = str(path.resolve())
+    path = path.absolute()  # a link is not followed: what tells how it is spoken to lies beside the link
     return _model(
-        f"{resolved}{SPEAKER}{speaker}" if speaker else resolved, path.resolve(), name,
+        f"{path}{SPEAKER}{speaker}" if speaker else str(path), path, name,
         speaker=speaker, licence=licence, provenance=provenance,
     )  # fmt: skip
 
@@ -172,7 +176,24 @@ def _config(path: Path, shown: str) -> Mapping[str, Any]:
     for symbol, ids in told["phoneme_id_map"].items():
         if not (isinstance(ids, list) and all(type(number) is int and 0 <= number < 1 << 31 for number in ids)):
             raise InputError(f"{shown}: {path.name}: phoneme_id_map[{symbol!r}] must be a list of numbers")
+    _check_symbols(told, path.name, shown)
     return told
+
+
+def _check_symbols(told: Mapping[str, Any], file: str, shown: str) -> None:
+    """Refuse a table of symbols that nothing can be said with."""
+    kind = told.get("phoneme_type", PHONEMES)
+    if kind != PHONEMES:
+        raise InputError(f"{shown}: {file}: phoneme_type={shortened(repr(kind), 40)} must be {PHONEMES!r}")
+    symbols = {symbol: ids for symbol, ids in told["phoneme_id_map"].items() if ids}
+    lacking = [symbol for symbol in (BEGIN, END, PAD) if symbol not in symbols]
+    if lacking or len(symbols) < FEWEST_SYMBOLS:
+        wanted = f"{', '.join(lacking)} among them" if lacking else "the sounds of a language"
+        raise InputError(f"{shown}: {file}: phoneme_id_map has {len(symbols)} symbols; expected {wanted}")
+    most = told.get("num_symbols")
+    highest = max(number for ids in symbols.values() for number in ids)
+    if type(most) is int and highest >= most:
+        raise InputError(f"{shown}: {file}: phoneme_id_map goes up to {highest}; num_symbols={most} allows {most - 1}")
 
 
 def _part(told: Mapping[str, Any], key: str, path: Path, shown: str, *, optional: bool = False) -> Mapping[str, Any]:

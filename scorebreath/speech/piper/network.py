@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scorebreath import chance
-from scorebreath.speech.piper.symbols import BEGIN, END, PAD, Timed
+from scorebreath.speech.piper.marks import BEGIN, END, PAD
+from scorebreath.speech.piper.symbols import Timed
 
 PURPOSE = "piper"
 TRIES = 6

@@ -18,9 +18,8 @@ from numpy.typing import NDArray
 from scorebreath.equations.phones import is_vowel
 from scorebreath.signal.level import sounding
 from scorebreath.speech.assemble import FramedPhone
+from scorebreath.speech.piper.marks import BEGIN, END, PAD
 
-BEGIN, END, PAD = "^", "$", "_"
-"""Symbols that are not spoken."""
 STRESS = {"ˈ": 1, "ˌ": 2}
 GLIDE = "ʲ"
 """Behind a vowel it says how the next one is joined to it, and is no sound of its own."""

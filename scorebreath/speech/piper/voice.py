@@ -57,9 +57,16 @@ class PiperVoice(Voice):
 
         Args:
             model: As `models.find` gives it.
+
+        Raises:
+            InputError: Its phonemes are of a language that eSpeak NG does not have.
         """
         self._model = model
         self._name = f"piper:{model.name}"
+        if known().find(model.espeak) is None:
+            raise InputError(
+                f"voice {self._name!r}: {model.config.name}: espeak.voice={model.espeak!r} is no language of eSpeak NG"
+            )
         speaker = "" if model.speaker is None else str(model.speaker)
         command = module_command("scorebreath.speech.piper.worker", str(model.path), str(model.config), speaker)
         self._lanes = Lanes(command, self._name, LANES, TURNS)

@@ -19,6 +19,8 @@ LARGEST = 50_000_000
 """bytes"""
 MOST = 200_000
 """words or phones"""
+SHORTEST = 0.005
+"""s of a label"""
 BEYOND = 0.25
 """s by which times may go beyond the recording, or a TextGrid be longer or shorter than it"""
 WORD_TIERS = ("words", "word", "ort-mau", "ort", "orthography", "wrd")
@@ -280,9 +282,17 @@ def _ordered(path: Path, labels: Sequence[Label], take: Take) -> tuple[Label, ..
     out: list[Label] = []
     for label in sorted(labels, key=lambda label: (label.start, label.end)):
         start = max(label.start, out[-1].end if out else 0.0)
-        end = min(max(label.end, start), take.duration)
-        if end > start:
-            out.append(Label(text=label.text, start=start, end=end))
+        end = min(label.end, take.duration)
+        if end - start < SHORTEST and out:  # none is left: it has to share with the one before
+            before = out[-1]
+            start, end = (before.start + before.end) / 2, max(end, before.end)
+            out[-1] = Label(text=before.text, start=before.start, end=start)
+        if end - start < SHORTEST:
+            raise InputError(
+                f"{path}: {shortened(label.text, 40)!r} at {label.start:.2f} s has no time of its own; "
+                "expected labels one after the other"
+            )
+        out.append(Label(text=label.text, start=start, end=end))
     return tuple(out)
 
 

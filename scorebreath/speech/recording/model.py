@@ -10,8 +10,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from scorebreath.errors import shortened
 from scorebreath.spans import Span
 
+LONGEST = 120
+"""Characters of a mismatch that are told; all of them are in its fields"""
 Progress = Callable[[float], None]
 """Told the fraction that is done, 0..1."""
 
@@ -44,6 +47,8 @@ class Written:
     """the bare words it is said as: ("twenty", "three") for 23"""
     source: Span
     """in the transcript, with its punctuation"""
+    bare: Span
+    """likewise, without it: as voices that speak name their words"""
     phrase_ends: bool = False
     """whether punctuation follows"""
 
@@ -94,12 +99,12 @@ class Mismatch:
         >>> print(Mismatch(kind="missing", written="very", heard="", at=3.2))
         3.20 s: 'very' is written and not heard
         """
-        where = f"{self.at:.2f} s"
+        where, written, heard = f"{self.at:.2f} s", shortened(self.written, LONGEST), shortened(self.heard, LONGEST)
         if self.kind == "missing":
-            return f"{where}: {self.written!r} is written and not heard"
+            return f"{where}: {written!r} is written and not heard"
         if self.kind == "extra":
-            return f"{where}: {self.heard!r} is heard and not written"
-        return f"{where}: {self.written!r} is written, and what is heard sounds like {self.heard!r}"
+            return f"{where}: {heard!r} is heard and not written"
+        return f"{where}: {written!r} is written, and what is heard sounds like {heard!r}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -131,7 +131,7 @@ class RecordedVoice(Voice):
     def _source(self, word: HeardWord) -> tuple[int, int] | None:
         if word.word is None:
             return None
-        source = self._written[word.word].source
+        source = self._written[word.word].bare
         return source.start, source.end
 
     def _cut(self, start: float, end: float) -> NDArray[np.float32]:
