@@ -7,7 +7,7 @@ from statistics import median
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from scorebreath.equations.prosody import pressed_semitones
@@ -165,6 +165,7 @@ def test_what_cannot_be_sung_stays() -> None:
             check(text, shape([speech], [Manner(slope=-2.0, range=1.5, ending=-3.0, louder=4.0)])[0].speech)
 
 
+@example(pauses=[0.65625, 1.81640625, 1.0], reset=1.0, eased=False)
 @given(
     pauses=st.lists(st.floats(0.3, 2.0), min_size=1, max_size=4),
     reset=st.floats(0, 1.5),

@@ -101,7 +101,7 @@ class Fall:
             length = max(end - start, 1e-6)
             inside = np.linspace(0.0, 1.0, 33 if eased else 2)
             fallen = length * (1.0 - (1.0 - inside) ** EASE) if eased else length * inside
-            corners.append(start + length * inside)
+            corners.append(np.append(start + length * inside[:-1], max(end, start)))  # the next one begins just there
             values.append(level - fallen)
             level = float(values[-1][-1]) * (1.0 - reset)
         return cls(corners=np.concatenate(corners), values=np.concatenate(values))
